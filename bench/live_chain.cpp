@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/parallel.hpp"
 #include "picture/live/live_engine.hpp"
 #include "scene/model/scene.hpp"
@@ -108,7 +108,7 @@ scene::Scene many(scene::Scene scene, std::size_t targets) {
 }
 
 scene::Scene read(const std::string& path) {
-  workflow::SceneInput input = workflow::read_scene(path, {}, workflow::Scrutiny::values);
+  workflow::SceneInput input = workflow::read_scene(path, {}, workflow::CheckLevel::values);
   workflow::expect_usable(input);
   return std::move(input.scene);
 }
@@ -131,7 +131,7 @@ int main(int argc, char** argv) {
       else
         run(name, read((examples / (name + ".toml")).string()), drags);
     }
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     for (const core::Problem& problem : refused.problems)
       std::fprintf(stderr, "%s\n", core::to_string(problem).c_str());
     return EXIT_FAILURE;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "capi/call.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "workflow/input/scene_building.hpp"
 
 using namespace sarsim;
@@ -43,7 +43,7 @@ core::Interpolation method_called(const char* word) {
   if (method == "linear") return core::Interpolation::linear;
   if (method == "cubic") return core::Interpolation::cubic;
   if (method == "mfilter") return core::Interpolation::low_pass;
-  throw core::Refused("'" + method + "' is not a method of interpolation", "linear, cubic or mfilter");
+  throw core::InvalidRequest("'" + method + "' is not a method of interpolation", "linear, cubic or mfilter");
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "core/report/for_now.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
+#include "core/report/retryable.hpp"
 #include "core/task/stop.hpp"
 #include "core/text/json.hpp"
 #include "scene/model/object.hpp"
@@ -34,9 +34,9 @@ std::string words_of(const core::Problem& problem) {
 sarsim_status status_and_problems(core::Problems& problems) {
   try {
     throw;
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     problems = refused.problems;
-    return core::may_pass(refused) ? SARSIM_TRY_AGAIN : SARSIM_BAD_INPUT;
+    return core::is_retryable(refused) ? SARSIM_TRY_AGAIN : SARSIM_BAD_INPUT;
   } catch (const core::Interrupted&) {
     problems = failure("stopped");
     return SARSIM_STOPPED;
@@ -51,7 +51,7 @@ sarsim_status status_and_problems(core::Problems& problems) {
     return SARSIM_FAILED;
   } catch (const std::system_error& error) {
     problems = failure(error.what());
-    return core::may_pass(error.code()) ? SARSIM_TRY_AGAIN : SARSIM_FAILED;
+    return core::is_retryable(error.code()) ? SARSIM_TRY_AGAIN : SARSIM_FAILED;
   } catch (const std::exception& error) {
     problems = failure(error.what());
     return SARSIM_FAILED;

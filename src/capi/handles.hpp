@@ -13,7 +13,7 @@
 #include "core/task/stop.hpp"
 #include "core/text/csv.hpp"
 #include "raster/table/raster.hpp"
-#include "workflow/image/kept_image.hpp"
+#include "workflow/image/in_memory_image.hpp"
 #include "workflow/image/named_axes.hpp"
 #include "workflow/input/recording_input.hpp"
 #include "workflow/input/sample_input.hpp"
@@ -65,10 +65,10 @@ struct sarsim_raster {
   std::vector<sarsim::workflow::NamedAxis> axes;
   std::vector<std::pair<std::string, std::string>> attributes;
   std::string format;
-  std::string path;                                          ///< Of a file; else empty.
-  sarsim::workflow::SampleArguments said;                    ///< Of a file that does not describe itself.
-  std::shared_ptr<const sarsim::workflow::KeptImage> image;  ///< That was made here.
-  const float* memory = nullptr;                             ///< The caller's; it may be described further.
+  std::string path;                                              ///< Of a file; else empty.
+  sarsim::workflow::SampleArguments said;                        ///< Of a file that does not describe itself.
+  std::shared_ptr<const sarsim::workflow::InMemoryImage> image;  ///< That was made here.
+  const float* memory = nullptr;                                 ///< The caller's; it may be described further.
 };
 
 /// Whose echoes are worked on.

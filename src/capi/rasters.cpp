@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "capi/call.hpp"
-#include "capi/words.hpp"
-#include "core/report/refused.hpp"
+#include "capi/labels.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/json.hpp"
 #include "core/text/letters.hpp"
@@ -120,7 +120,7 @@ workflow::SampleArguments said_of(const char* const* options, std::size_t count)
   workflow::SampleArguments said;
   const auto table = workflow::sample_option_table();
   workflow::TakenProblems problems = table.take_words(capi::words_of(table.options(), options, count), said);
-  if (!problems.empty()) throw core::Refused(std::move(problems.early));
+  if (!problems.empty()) throw core::InvalidRequest(std::move(problems.early));
   return said;
 }
 
@@ -165,9 +165,9 @@ sarsim_raster raster_of_file(const std::string& path, const workflow::SampleArgu
   return made;
 }
 
-sarsim_raster raster_of_image(workflow::KeptImage image) {
+sarsim_raster raster_of_image(workflow::InMemoryImage image) {
   sarsim_raster made;
-  const auto kept = std::make_shared<const workflow::KeptImage>(std::move(image));
+  const auto kept = std::make_shared<const workflow::InMemoryImage>(std::move(image));
   const raster::EnviHeader& header = kept->content.header;
   raster::RasterInfo info;
   info.columns = header.samples;
@@ -347,7 +347,7 @@ sarsim_status sarsim_raster_write(const sarsim_raster* raster, const char* path,
     const auto table = workflow::convert_option_table();
     workflow::TakenProblems mistakes =
         table.take_words(capi::words_of(table.options(), options, option_count), request);
-    if (!mistakes.empty()) throw core::Refused(std::move(mistakes.early));
+    if (!mistakes.empty()) throw core::InvalidRequest(std::move(mistakes.early));
     request.output = &capi::given(path, "sarsim_raster_write: path");
     const sarsim_work how = capi::work_of(work);
     core::Observer observer = capi::observer_of(how);

@@ -12,6 +12,6 @@ namespace sarsim::capi {
                                            const core::Observer& observer);
 
 /// An image that was made and not written.
-[[nodiscard]] sarsim_raster raster_of_image(workflow::KeptImage image);
+[[nodiscard]] sarsim_raster raster_of_image(workflow::InMemoryImage image);
 
 }  // namespace sarsim::capi

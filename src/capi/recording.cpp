@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "capi/call.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
@@ -66,8 +66,8 @@ std::optional<scene::FileFormat> format_of(const char* word, const std::string& 
   if (word == nullptr) return raster::format_from_path(path);
   const auto format = raster::format_from_name(word);
   if (!format)
-    throw core::Refused("'" + std::string(word) + "' is not a recording format",
-                        "it is one of " + raster::format_words());
+    throw core::InvalidRequest("'" + std::string(word) + "' is not a recording format",
+                               "it is one of " + raster::format_words());
   return format;
 }
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "capi/call.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/json.hpp"
 #include "scene/language/explanation.hpp"
@@ -46,15 +46,15 @@ void expect_no_pipe(const std::string& file) {
       core::problem_of(core::Severity::error, "the file is a pipe, which may never end", {}, {},
                        "read it and give its text to sarsim_scene_read_text, or say with options->work how to stop");
   problem.place.file = file;
-  throw core::Refused({std::move(problem)});
+  throw core::InvalidRequest({std::move(problem)});
 }
 
 // A scene whose text holds no mistake; else all of them, those of the values of sound objects too.
 template <class Read>
 std::unique_ptr<sarsim_scene> sound_scene(const Read& read, core::Problems& found) {
   auto scene = std::make_unique<sarsim_scene>();
-  scene->input = read(workflow::Scrutiny::files);
-  if (core::has_errors(scene->input.problems)) throw core::Refused(read(workflow::Scrutiny::values).problems);
+  scene->input = read(workflow::CheckLevel::files);
+  if (core::has_errors(scene->input.problems)) throw core::InvalidRequest(read(workflow::CheckLevel::values).problems);
   found = scene->input.problems;
   return scene;
 }
@@ -76,8 +76,8 @@ sarsim_status sarsim_scene_read_file(const char* path, const sarsim_scene_option
     const workflow::SceneOverrides overrides = overrides_of(options);
     const core::WorkControl control = control_of(options);
     if (control.stop == nullptr) expect_no_pipe(file);
-    const auto read = [&](workflow::Scrutiny scrutiny) {
-      return workflow::read_scene(file, overrides, scrutiny, control);
+    const auto read = [&](workflow::CheckLevel check_level) {
+      return workflow::read_scene(file, overrides, check_level, control);
     };
     result = sound_scene(read, found).release();
   });
@@ -93,8 +93,8 @@ sarsim_status sarsim_scene_read_text(const char* text, size_t length, const char
     const std::string file = name != nullptr ? name : "scene";
     const workflow::SceneOverrides overrides = overrides_of(options);
     const core::WorkControl control = control_of(options);
-    const auto read = [&](workflow::Scrutiny scrutiny) {
-      return workflow::read_scene_text(all, file, overrides, scrutiny, control);
+    const auto read = [&](workflow::CheckLevel check_level) {
+      return workflow::read_scene_text(all, file, overrides, check_level, control);
     };
     result = sound_scene(read, found).release();
   });
@@ -127,7 +127,7 @@ sarsim_status sarsim_scene_check(const sarsim_scene* scene, const sarsim_work* w
     const core::Observer observer = capi::observer_of(how);
     const core::WorkControl control = observer.control(core::thread_count(how.threads));
     workflow::SceneInput input = workflow::check_again(capi::given(scene, "sarsim_scene_check: scene").input,
-                                                       workflow::Scrutiny::echoes, control);
+                                                       workflow::CheckLevel::echoes, control);
     workflow::add_remarks(input, control);
     workflow::expect_usable(input);
     found = std::move(input.problems);
@@ -175,7 +175,7 @@ sarsim_status sarsim_explain(const char* word, sarsim_style style, sarsim_text**
     sarsim_text*& result = capi::cleared(text, "sarsim_explain: text");
     if (style != SARSIM_WORDS && style != SARSIM_JSON) throw capi::BadArgument("sarsim_explain: no such style");
     const auto explanation = scene::language::explain(&capi::given(word, "sarsim_explain: word"));
-    if (!explanation.failure.empty()) throw core::Refused(explanation.failure, explanation.hint);
+    if (!explanation.failure.empty()) throw core::InvalidRequest(explanation.failure, explanation.hint);
     core::JsonWriter json;
     if (style == SARSIM_JSON) scene::language::write_json(json, explanation);
     result = capi::text_handle(style == SARSIM_JSON ? json.text() : scene::language::text_of(explanation));

@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "capi/call.hpp"
+#include "capi/labels.hpp"
 #include "capi/rasters.hpp"
 #include "capi/tables.hpp"
-#include "capi/words.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/json.hpp"
 #include "simulate/run/geometry_table.hpp"
 #include "workflow/convert/convert_options.hpp"
@@ -47,7 +47,8 @@ workflow::GivenWords words_of(const std::vector<workflow::Option>& options, cons
     const std::string name = "--" + word.substr(0, word.find('='));
     const auto option = std::ranges::find(options, name, &workflow::Option::name);
     if (flag && option != options.end() && option->kind != workflow::OptionKind::flag)
-      throw core::Refused("the option '" + word + "' needs a value", "write " + word + "=" + option->placeholder);
+      throw core::InvalidRequest("the option '" + word + "' needs a value",
+                                 "write " + word + "=" + option->placeholder);
     typed.push_back("--" + word);
   }
   return workflow::given_words(options, typed);
@@ -101,7 +102,7 @@ std::string text_of_file(const std::filesystem::path& path) {
 }
 
 // The image that was made, in memory or as it was written.
-void add_image(Job& job, std::optional<workflow::KeptImage> kept, const std::filesystem::path& file) {
+void add_image(Job& job, std::optional<workflow::InMemoryImage> kept, const std::filesystem::path& file) {
   job.result.rasters.push_back(kept ? capi::raster_of_image(*std::move(kept))
                                     : capi::raster_of_file(file.string(), {}, job.observer));
 }
@@ -115,8 +116,8 @@ void focus(Job& job, const sarsim_source* source, const char* const* options, st
   if (!names(given, "--threads")) request.threads = job.how.threads;
   const workflow::FocusReport report = workflow::focus(request, job.observer);
   job.result.json = workflow::json_of(input.path, report);
-  std::optional<workflow::KeptImage> kept;
-  if (request.output.empty()) kept = workflow::kept_image(report);
+  std::optional<workflow::InMemoryImage> kept;
+  if (request.output.empty()) kept = workflow::in_memory_image(report);
   add_image(job, std::move(kept), request.output);
 }
 
@@ -185,7 +186,7 @@ void measure(Job& job, const sarsim_raster* image, const char* const* options, s
   const auto given = capi::words_of(workflow::measure_option_table().options(), options, count);
   workflow::MeasureRequest request = workflow::measure_request(known.path, given);
   if (known.memory != nullptr)
-    throw core::Refused("the caller's memory does not say how it was focused", "give the image of sarsim_focus");
+    throw core::InvalidRequest("the caller's memory does not say how it was focused", "give the image of sarsim_focus");
   if (known.image) request.kept = known.image;
   if (!names(given, "--threads")) request.threads = job.how.threads;
   const workflow::MeasureReport report = workflow::measure(request, job.observer);
@@ -199,7 +200,7 @@ void geometry(Job& job, const sarsim_source* source, const char* const* options,
   request.input.path = input.path;
   const auto table = workflow::geometry_option_table();
   workflow::TakenProblems mistakes = table.take_words(capi::words_of(table.options(), options, count), request);
-  if (!mistakes.empty()) throw core::Refused(std::move(mistakes.early));
+  if (!mistakes.empty()) throw core::InvalidRequest(std::move(mistakes.early));
   hold(request.input, input);
   workflow::GeometryTables made =
       workflow::geometry_tables(request, job.observer.control(core::thread_count(job.how.threads)));

@@ -217,7 +217,7 @@ class HabitsTest : public QObject {
     QTemporaryDir folder;
     gui::MainWindow main;
     QVERIFY(main.documents().open_file(harbour()));
-    gui::PictureWish wish;
+    gui::PictureRequest wish;
     wish.window = "targets";
     wish.file = folder.filePath("picture.png");
     wish.selected = {"radar:2"};
@@ -239,7 +239,7 @@ class HabitsTest : public QObject {
   void a_picture_of_nothing_is_refused() {
     QTemporaryDir folder;
     gui::MainWindow main;
-    gui::PictureWish wish;
+    gui::PictureRequest wish;
     wish.file = folder.filePath("picture.png");
     wish.window = "mirror";
     QVERIFY(!gui::make_picture(main, wish));

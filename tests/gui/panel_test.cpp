@@ -324,9 +324,9 @@ class PanelTest : public QObject {
     QCOMPARE(gui::stepped_text(".5 m", 1), QString("0.6 m"));
     QCOMPARE(gui::stepped_text("", 1), QString());
     QCOMPARE(gui::stepped_text("(different)", 1), QString());
-    QCOMPARE(gui::finer_text("1 m2"), QString("1.0 m2"));
-    QCOMPARE(gui::finer_text("-2.5e3 m"), QString("-2.50e3 m"));
-    QCOMPARE(gui::finer_text("(different)"), QString());
+    QCOMPARE(gui::upsampled_text("1 m2"), QString("1.0 m2"));
+    QCOMPARE(gui::upsampled_text("-2.5e3 m"), QString("-2.50e3 m"));
+    QCOMPARE(gui::upsampled_text("(different)"), QString());
   }
 
   void a_run_of_steps_is_one_undo_step_and_keeps_its_unit() {

@@ -19,7 +19,7 @@
 #include <fstream>
 #include <string>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "gui/common/figure_plot.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/frame/document_keeper.hpp"

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "gui/common/session.hpp"
 #include "gui/common/waiting.hpp"
 #include "gui/gui_test.hpp"

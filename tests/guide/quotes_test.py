@@ -34,7 +34,7 @@ EXPLAINED = [
     "workflow/focus/method_choice.cpp",
     "workflow/focus/motion_residual.cpp",
     "workflow/focus/navigation_check.cpp",
-    "workflow/focus/sar_ghosts.cpp",
+    "workflow/focus/azimuth_ambiguities.cpp",
     "workflow/input/motion_accuracy.cpp",
     "workflow/input/output_names.cpp",
     "workflow/search/search_checks.cpp",

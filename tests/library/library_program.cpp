@@ -7,7 +7,7 @@
 #include <exception>
 #include <iostream>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "workflow/focus/focus.hpp"
 #include "workflow/focus/measure.hpp"
 #include "workflow/record/record.hpp"
@@ -41,7 +41,7 @@ int main(int argc, char** argv) try {
   std::cout << focused.image.image.azimuth.count << " rows, " << count << " of " << measured.targets.size()
             << " targets as they should be\n";
   return !measured.targets.empty() && count == std::ssize(measured.targets) ? 0 : 1;
-} catch (const core::Refused& refused) {
+} catch (const core::InvalidRequest& refused) {
   for (const core::Problem& problem : refused.problems) std::cerr << to_string(problem) << '\n';
   return 2;
 } catch (const std::exception& error) {

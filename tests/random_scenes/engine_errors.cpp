@@ -100,7 +100,7 @@ class Allowance {
   // ends just outside the row counts as well: an engine's error need not end where the echo does.
   double of_pulse(std::int64_t pulse) {
     double sum = of_echoes(pulse, pulse);
-    for (const simulate::OtherPulse& other : plan_.sources.other_pulses.pulses)
+    for (const simulate::RangeAmbiguity& other : plan_.sources.range_ambiguities.pulses)
       sum += of_echoes(pulse, pulse - other.back);
     return sum;
   }

@@ -35,7 +35,7 @@ std::size_t count_of(const core::Problems& problems, core::Severity severity) {
 workflow::SceneInput looked_at(const std::string& path, const workflow::SceneOverrides& overrides,
                                const core::StopFlag* stop) {
   const core::WorkControl control{core::thread_count(0), stop};
-  workflow::SceneInput input = workflow::read_scene(path, overrides, workflow::Scrutiny::echoes, control);
+  workflow::SceneInput input = workflow::read_scene(path, overrides, workflow::CheckLevel::echoes, control);
   workflow::add_remarks(input, control);
   return input;
 }

@@ -8,7 +8,7 @@
 #include "cli/shell/request_options.hpp"
 #include "cli/shell/scene_options.hpp"
 #include "cli/shell/watch.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "workflow/convert/convert.hpp"
 #include "workflow/convert/convert_options.hpp"
 #include "workflow/convert/convert_scene.hpp"
@@ -36,15 +36,15 @@ void expect_no_exchange_options(const ConvertArguments& arguments) {
                                                 {"--reference-point", arguments.exchange.reference.has_value()}};
   for (const auto& [option, there] : given)
     if (there)
-      throw core::Refused(fmt::format("{} is for CPHD and CRSD files", option),
-                          "leave it out, or give OUT the extension .cphd or .crsd");
+      throw core::InvalidRequest(fmt::format("{} is for CPHD and CRSD files", option),
+                                 "leave it out, or give OUT the extension .cphd or .crsd");
 }
 
 ExitStatus export_recording(const ConvertArguments& arguments, Streams& streams) {
   const workflow::ConvertRequest& samples = arguments.samples;
   if (samples.to || samples.counts || samples.header || samples.sample.format || samples.sample.columns ||
       samples.sample.bits || samples.sample.lsb_v)
-    throw core::Refused(
+    throw core::InvalidRequest(
         fmt::format("'{}' is made of a recording with its scene: only --script and --simulation say something of it",
                     samples.output),
         "leave out --to, --counts, --header, --from, --columns, --bits and --lsb");
@@ -64,19 +64,20 @@ void expect_one_output(const ConvertArguments& arguments) {
   const workflow::ConvertRequest& request = arguments.samples;
   if (arguments.references.empty()) {
     if (request.output.empty())
-      throw core::Refused("OUT is missing: nothing says what is to be written",
-                          "name the new file, or references to this one with --references");
+      throw core::InvalidRequest("OUT is missing: nothing says what is to be written",
+                                 "name the new file, or references to this one with --references");
     return;
   }
   if (!request.output.empty())
-    throw core::Refused(fmt::format("--references writes no samples, but '{}' was to be written", request.output),
-                        "leave it out; references to a new file are made when it is there");
+    throw core::InvalidRequest(
+        fmt::format("--references writes no samples, but '{}' was to be written", request.output),
+        "leave it out; references to a new file are made when it is there");
   if (request.to || request.counts || request.header)
-    throw core::Refused("--references leaves the samples as they are: --to, --counts and --header change nothing",
-                        "leave them out");
+    throw core::InvalidRequest(
+        "--references leaves the samples as they are: --to, --counts and --header change nothing", "leave them out");
   if (workflow::holds_script(request.input))
-    throw core::Refused(fmt::format("--references: '{}' is a scene, not a file of samples", request.input),
-                        "name the file that the scene wrote, in HDF5 or NPY");
+    throw core::InvalidRequest(fmt::format("--references: '{}' is a scene, not a file of samples", request.input),
+                               "name the file that the scene wrote, in HDF5 or NPY");
 }
 
 ExitStatus write_references(const ConvertArguments& arguments, Streams& streams) {
@@ -98,8 +99,8 @@ ExitStatus run_convert(const ConvertArguments& arguments, Streams& streams) {
     return exit_done;
   }
   if (!workflow::words_of_overrides(arguments.overrides).empty())
-    throw core::Refused("a file of samples has no fields that could be set",
-                        "give a scene and an OUT that ends with .toml or .scr, or leave --set and its like out");
+    throw core::InvalidRequest("a file of samples has no fields that could be set",
+                               "give a scene and an OUT that ends with .toml or .scr, or leave --set and its like out");
   Watch watch(streams, false);
   core::Observer observer = watch.observer();
   observer.progress = {};  // A copy is soon done.

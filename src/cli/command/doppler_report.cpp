@@ -20,7 +20,7 @@ std::string decibel_text(double ratio) {
 }
 
 std::string finding_text(const workflow::TargetFinding& finding, bool doppler) {
-  const workflow::TargetSight& sight = finding.sight;
+  const workflow::TargetVisibility& sight = finding.sight;
   std::string text = fmt::format("target {:<4}", finding.target + 1);
   if (!sight.in_window) return text + " is never within the recorded ranges\n";
   text += fmt::format(" azimuth {:.2f} deg, range {:.1f} m", workflow::bearing_deg(sight.azimuth_rad), sight.range_m);

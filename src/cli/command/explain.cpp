@@ -8,7 +8,7 @@
 #include "cli/command/commands.hpp"
 #include "cli/shell/options.hpp"
 #include "core/os/output_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/json.hpp"
 #include "scene/language/explanation.hpp"
 #include "scene/language/json_schema.hpp"
@@ -31,7 +31,7 @@ struct ExplainArguments {
 std::string explanation_of(const ExplainArguments& arguments) {
   const scene::language::Explanation explanation =
       scene::language::explain(fmt::format("{}", fmt::join(arguments.field, " ")));
-  if (!explanation.failure.empty()) throw core::Refused(explanation.failure, explanation.hint);
+  if (!explanation.failure.empty()) throw core::InvalidRequest(explanation.failure, explanation.hint);
   if (!arguments.json) return scene::language::text_of(explanation);
   core::JsonWriter json;
   scene::language::write_json(json, explanation);

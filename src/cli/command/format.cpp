@@ -6,7 +6,7 @@
 #include "cli/shell/options.hpp"
 #include "cli/shell/scene_options.hpp"
 #include "core/os/output_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "workflow/convert/convert_scene.hpp"
 #include "workflow/input/output_names.hpp"
 #include "workflow/input/scene_input.hpp"
@@ -33,18 +33,18 @@ void write_file(const std::string& path, bool replace, const std::string& text) 
 
 ExitStatus format_scene(const FormatArguments& arguments, Streams& streams) {
   const workflow::SceneInput input = workflow::read_scene(
-      arguments.scene, arguments.overrides, workflow::Scrutiny::files, {core::thread_count(0), streams.stop});
+      arguments.scene, arguments.overrides, workflow::CheckLevel::files, {core::thread_count(0), streams.stop});
   workflow::expect_usable(input);
   if (arguments.in_place && input.json)
-    throw core::Refused("--in-place: '" + arguments.scene + "' is JSON, which Sarsim reads but does not write",
-                        "write TOML into another file: -o scene.toml");
+    throw core::InvalidRequest("--in-place: '" + arguments.scene + "' is JSON, which Sarsim reads but does not write",
+                               "write TOML into another file: -o scene.toml");
   if (!arguments.output.empty())
     workflow::expect_free_outputs({arguments.output}, {input.sources, arguments.force, "-o"});
   print_problems(streams, input.problems);
   const bool format_2 = arguments.upgrade || input.language == scene::Language::format_2;
   if (arguments.all && !format_2)
-    throw core::Refused("--all is for format 2: a script of the language of 1998 says everything",
-                        "add --upgrade, which writes format 2");
+    throw core::InvalidRequest("--all is for format 2: a script of the language of 1998 says everything",
+                               "add --upgrade, which writes format 2");
   const std::string text =
       workflow::scene_text(input, format_2 ? scene::Language::format_2 : scene::Language::script, arguments.all);
   if (arguments.in_place)

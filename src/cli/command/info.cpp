@@ -66,17 +66,18 @@ void expect_used(const InfoArguments& arguments, bool script) {
     problem.hint = use.of_script ? "leave it out: it is for scripts" : "leave it out: it is for files of samples";
   }
   if (script && arguments.plan && arguments.all)
-    problems.push_back(core::Refused("--all means nothing with --plan", "leave out one of them").problems.front());
-  if (!problems.empty()) throw core::Refused(std::move(problems));
+    problems.push_back(
+        core::InvalidRequest("--all means nothing with --plan", "leave out one of them").problems.front());
+  if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
 }
 
 ExitStatus print_info(const InfoArguments& arguments, Streams& streams) {
   if (!arguments.plan && (arguments.workers || arguments.threads))
-    throw core::Refused("info: --workers and --threads belong to --plan", "add --plan");
+    throw core::InvalidRequest("info: --workers and --threads belong to --plan", "add --plan");
   const bool script = workflow::holds_script(arguments.path);
   if (arguments.plan && !script)
-    throw core::Refused("info: '" + arguments.path + "' is not a script; only scripts can be planned",
-                        "leave --plan out to see what the file holds");
+    throw core::InvalidRequest("info: '" + arguments.path + "' is not a script; only scripts can be planned",
+                               "leave --plan out to see what the file holds");
   expect_used(arguments, script);
   if (arguments.plan) {
     return print_plan(

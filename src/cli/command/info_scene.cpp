@@ -102,7 +102,7 @@ std::vector<Figure> figures_of(const simulate::Plan& plan, const simulate::Simul
 }
 
 // @param sight  nothing: the target was not looked at in that detail
-std::string target_line(std::size_t number, const simulate::TargetSurvey& t, const simulate::TargetSight* sight,
+std::string target_line(std::size_t number, const simulate::TargetSurvey& t, const simulate::TargetVisibility* sight,
                         bool directive, scene::Profile profile) {
   std::string text =
       fmt::format("    target {:<6} {}, Doppler {}, {:.4g} V", number, between(t.nearest_m, t.farthest_m, "m"),
@@ -115,7 +115,7 @@ std::string target_line(std::size_t number, const simulate::TargetSurvey& t, con
 }
 
 void write_survey_json(core::JsonWriter& json, std::size_t number, const simulate::TargetSurvey& t,
-                       const simulate::TargetSight* sight) {
+                       const simulate::TargetVisibility* sight) {
   json.begin_object().member("number", number).member("nearest_m", t.nearest_m).member("farthest_m", t.farthest_m);
   json.member("lowest_doppler_hz", t.lowest_doppler_hz).member("highest_doppler_hz", t.highest_doppler_hz);
   json.member("largest_amplitude_v", t.largest_amplitude_v).member("snr", t.snr).member("in_window", t.in_window);
@@ -280,10 +280,11 @@ class SceneInfo {
                                                acquisition.timing.pulses.count());
     std::vector<std::size_t> looked_at(std::min(count, max_looked_at));
     std::iota(looked_at.begin(), looked_at.end(), std::size_t{0});
-    const std::vector<simulate::TargetSight> sights = simulate::SightSurvey(acquisition, looked_at).look(control_);
+    const std::vector<simulate::TargetVisibility> sights =
+        simulate::VisibilitySurvey(acquisition, looked_at).look(control_);
     json_.key("targets").begin_array();
     for (std::size_t i = 0; i < count; ++i) {
-      const simulate::TargetSight* sight = i < sights.size() ? &sights[i] : nullptr;
+      const simulate::TargetVisibility* sight = i < sights.size() ? &sights[i] : nullptr;
       text_ += target_line(i + 1, survey.targets[i], sight, directive, scene_.options.profile);
       write_survey_json(json_, i + 1, survey.targets[i], sight);
     }
@@ -304,7 +305,7 @@ class SceneInfo {
 ExitStatus print_scene_info(const SceneInfoArguments& arguments, Streams& streams) {
   const core::WorkControl control{core::thread_count(0), streams.stop};
   workflow::SceneInput input =
-      workflow::read_scene(arguments.path, arguments.overrides, workflow::Scrutiny::echoes, control);
+      workflow::read_scene(arguments.path, arguments.overrides, workflow::CheckLevel::echoes, control);
   workflow::expect_usable(input);
   print_problems(streams, input.problems);
   workflow::resolve_once(input, control);

@@ -5,7 +5,7 @@
 #include "cli/command/commands.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/scene_options.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "workflow/motion/motion_files.hpp"
 
@@ -39,14 +39,15 @@ ExitStatus run_motion(const MotionArguments& arguments, Streams& streams) {
   if (arguments.error_m) motion.error_m = *arguments.error_m;
   if (!arguments.walker_mps) {
     if (arguments.height_m || !arguments.parent.empty())
-      throw core::Refused("--height and --parent belong to --walker", "leave them out, or give --walker SPEED");
-    if (motion.input.empty()) throw core::Refused("no scene is given", "sarsim motion SCENE --platform P --out FILE");
+      throw core::InvalidRequest("--height and --parent belong to --walker", "leave them out, or give --walker SPEED");
+    if (motion.input.empty())
+      throw core::InvalidRequest("no scene is given", "sarsim motion SCENE --platform P --out FILE");
     const workflow::MotionReport report = workflow::write_motion(motion, {core::thread_count(0), streams.stop});
     if (!arguments.quiet) print_report(report, streams);
     return exit_done;
   }
   if (!motion.input.empty() || !motion.platform.empty() || motion.navigation || motion.spacing_s)
-    throw core::Refused("a walker needs no scene", "sarsim motion --walker 1.4 --out walker.toml");
+    throw core::InvalidRequest("a walker needs no scene", "sarsim motion --walker 1.4 --out walker.toml");
   workflow::WalkerRequest walker;
   walker.speed_mps = *arguments.walker_mps;
   walker.height_m = arguments.height_m.value_or(walker.height_m);

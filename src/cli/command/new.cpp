@@ -11,7 +11,7 @@
 #include "cli/command/shown_name.hpp"
 #include "cli/shell/options.hpp"
 #include "core/os/output_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "core/text/shell_word.hpp"
@@ -61,9 +61,9 @@ const scene::StartingScene& chosen(const std::string& purpose) {
   }
   const std::string part = purpose_with_part(words, purpose);
   const std::string nearest = part.empty() ? core::nearest_word(purpose, words) : part;
-  throw core::Refused(fmt::format("there is no scene to begin with for '{}'", purpose),
-                      nearest.empty() ? fmt::format("choose one of {}", fmt::join(words, ", "))
-                                      : fmt::format("did you mean '{}'?", nearest));
+  throw core::InvalidRequest(fmt::format("there is no scene to begin with for '{}'", purpose),
+                             nearest.empty() ? fmt::format("choose one of {}", fmt::join(words, ", "))
+                                             : fmt::format("did you mean '{}'?", nearest));
 }
 
 // What was asked for, or what the name of the file says, or format 2.
@@ -71,8 +71,8 @@ scene::Language language_of(const NewArguments& arguments) {
   const auto of_name = workflow::language_of_name(arguments.output);
   const scene::Language language = arguments.language.value_or(of_name.value_or(scene::Language::format_2));
   if (of_name && *of_name != language)
-    throw core::Refused(fmt::format("'{}' is a name for the other language", arguments.output),
-                        fmt::format("end it with {}, or leave out --language", ending_of(language)));
+    throw core::InvalidRequest(fmt::format("'{}' is a name for the other language", arguments.output),
+                               fmt::format("end it with {}, or leave out --language", ending_of(language)));
   return language;
 }
 
@@ -90,8 +90,8 @@ ExitStatus write_scene(const NewArguments& arguments, Streams& streams) {
   const scene::StartingScene& scene = chosen(arguments.purpose);
   const scene::Language language = language_of(arguments);
   if (language == scene::Language::script && scene.script.empty())
-    throw core::Refused(fmt::format("the language of 1998 cannot say the scene for '{}'", scene.purpose),
-                        "leave out --language, and end the name with .toml");
+    throw core::InvalidRequest(fmt::format("the language of 1998 cannot say the scene for '{}'", scene.purpose),
+                               "leave out --language, and end the name with .toml");
   const std::filesystem::path path =
       arguments.output.empty() ? fmt::format("{}{}", scene.stem, ending_of(language)) : arguments.output;
   workflow::expect_free_outputs({path}, {{}, arguments.force, "-o"});

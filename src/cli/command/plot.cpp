@@ -60,10 +60,10 @@ workflow::InputList files_read(const PlotArguments& a) {
 
 void expect_names(const PlotArguments& a) {
   if (a.out.empty() && a.csv.empty())
-    throw core::Refused("nothing is to be written", "name a picture with -o, or a table with --csv");
+    throw core::InvalidRequest("nothing is to be written", "name a picture with -o, or a table with --csv");
   if (!a.out.empty() && !picture::picture_kind_of(a.out))
-    throw core::Refused("'" + a.out + "' does not say which kind of picture",
-                        fmt::format("end it with {}", picture::picture_endings));
+    throw core::InvalidRequest("'" + a.out + "' does not say which kind of picture",
+                               fmt::format("end it with {}", picture::picture_endings));
   std::vector<fs::path> paths;
   for (const std::string& path : {a.out, a.csv})
     if (!path.empty() && !(a.frames && path == a.out))
@@ -71,8 +71,8 @@ void expect_names(const PlotArguments& a) {
   workflow::expect_free_outputs(paths, {files_read(a), a.force, "-o or --csv"});
   for (const fs::path& path : paths)
     if (path.has_parent_path() && !fs::is_directory(path.parent_path()))
-      throw core::Refused(fmt::format("there is no folder '{}'", path.parent_path().string()),
-                          "make it, or write into one that is there");
+      throw core::InvalidRequest(fmt::format("there is no folder '{}'", path.parent_path().string()),
+                                 "make it, or write into one that is there");
 }
 
 // The drawing library draws no larger pictures.
@@ -83,14 +83,14 @@ void expect_size(const PlotArguments& a) {
   const double width = std::round(static_cast<double>(a.size[0]) * scale);
   const double height = std::round(static_cast<double>(a.size[1]) * scale);
   if (std::max(width, height) <= max_dots_a_side && width * height <= max_dots) return;
-  throw core::Refused(
+  throw core::InvalidRequest(
       fmt::format("--size and --scale: a picture of {} x {} dots is too large", width, height),
       fmt::format("at most {} dots to a side and {} million in all", max_dots_a_side, std::floor(max_dots * 1e-6)));
 }
 
 void expect_limits(const PlotArguments& a) {
   if (a.limits.size() == 2 && a.limits[0] == a.limits[1])
-    throw core::Refused("--limits: the two values are the same", "give those of the first and the last colour");
+    throw core::InvalidRequest("--limits: the two values are the same", "give those of the first and the last colour");
 }
 
 // An option that was given, and the kinds that it means something for.
@@ -178,7 +178,7 @@ void expect_used(const PlotArguments& a) {
     for (const PlotKind kind : use.kinds) problem.hint += (problem.hint.empty() ? "it is for " : ", ") + word_of(kind);
     problems.push_back(std::move(problem));
   }
-  if (!problems.empty()) throw core::Refused(std::move(problems));
+  if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
 }
 
 // What --show says by itself.
@@ -191,10 +191,11 @@ picture::DisplayQuantity shown_quantity(const PlotArguments& a) {
 // Of two options that contradict each other, one would be ignored.
 void expect_no_contradiction(const PlotArguments& a) {
   if (a.screen && (a.recorded || a.rate_hz))
-    throw core::Refused(fmt::format("--screen and {} ask for different samples", a.recorded ? "--recorded" : "--rate"),
-                        "leave one of them out");
+    throw core::InvalidRequest(
+        fmt::format("--screen and {} ask for different samples", a.recorded ? "--recorded" : "--rate"),
+        "leave one of them out");
   if (a.span_db && shown_quantity(a) != picture::DisplayQuantity::decibels)
-    throw core::Refused("--span is a number of decibels, which are not shown", "add --show db, or leave it out");
+    throw core::InvalidRequest("--span is a number of decibels, which are not shown", "add --show db, or leave it out");
 }
 
 // An option that was given, and whether it is for scripts or for files.
@@ -233,8 +234,9 @@ void expect_used_by_input(const PlotArguments& a) {
     problems.back().hint = use.of_script ? "it is for scripts, whose echoes are computed" : "it is for files";
   }
   if (!script && a.simulation && samples.script.empty())
-    problems.push_back(core::Refused("--simulation is a number in a script", "name it with --script").problems.front());
-  if (!problems.empty()) throw core::Refused(std::move(problems));
+    problems.push_back(
+        core::InvalidRequest("--simulation is a number in a script", "name it with --script").problems.front());
+  if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
 }
 
 // The name of the input, and what is seen of it where that is not the whole.

@@ -103,11 +103,11 @@ struct Plotted {
 /// Quantity, colours, limits and draw-as into a window.
 void take_look(const PlotArguments& arguments, picture::DisplayQuantity usual, picture::EchoWindow& window);
 
-/// Of a script; throws core::Refused for what it does not have.
+/// Of a script; throws core::InvalidRequest for what it does not have.
 [[nodiscard]] Plotted plot_scene(const PlotArguments& arguments, Streams& streams);
 /// The scene in three dimensions, which writes its pictures itself; throws as `plot_scene`.
 void plot_view(const PlotArguments& arguments, Streams& streams);
-/// Of a file of samples or a focused image; throws core::Refused for what it does not say.
+/// Of a file of samples or a focused image; throws core::InvalidRequest for what it does not say.
 [[nodiscard]] Plotted plot_file(const PlotArguments& arguments, Streams& streams);
 
 }  // namespace sarsim::cli

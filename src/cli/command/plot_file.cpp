@@ -23,8 +23,8 @@ simulate::IndexSpan between(const std::vector<double>& places, std::vector<doubl
   const auto inside = [&](double place) { return place >= limits[0] && place <= limits[1]; };
   const auto first = std::ranges::find_if(places, inside);
   if (first == places.end())
-    throw core::Refused(fmt::format("{}: the file has nothing between {} and {}", option, limits[0], limits[1]),
-                        fmt::format("it has {:.6g} to {:.6g}", places.front(), places.back()));
+    throw core::InvalidRequest(fmt::format("{}: the file has nothing between {} and {}", option, limits[0], limits[1]),
+                               fmt::format("it has {:.6g} to {:.6g}", places.front(), places.back()));
   const auto last = std::find_if_not(first, places.end(), inside);
   return {static_cast<std::size_t>(first - places.begin()), static_cast<std::size_t>(last - places.begin())};
 }
@@ -62,15 +62,17 @@ void name_places(const PlotArguments& a, const workflow::PlacedImage& input, pic
 
 void expect_places(const PlotArguments& a, const workflow::PlacedImage& input) {
   if (!input.focused && (!a.azimuth_m.empty() || a.at_azimuth_m))
-    throw core::Refused("--azimuth and --at-azimuth are for focused images",
-                        a.input + " has no header of one; choose pulses with --time");
+    throw core::InvalidRequest("--azimuth and --at-azimuth are for focused images",
+                               a.input + " has no header of one; choose pulses with --time");
   if (input.focused && (!a.time_s.empty() || a.at_s))
-    throw core::Refused("a focused image has no times", "choose along the track with --azimuth and --at-azimuth, in m");
+    throw core::InvalidRequest("a focused image has no times",
+                               "choose along the track with --azimuth and --at-azimuth, in m");
   const bool placed = input.focused || input.axes;
   if (!placed && (!a.range_m.empty() || !a.time_s.empty()))
-    throw core::Refused("the file does not say its ranges and times", "name the script that wrote it with --script");
+    throw core::InvalidRequest("the file does not say its ranges and times",
+                               "name the script that wrote it with --script");
   if (input.axes && !input.has_times() && (!a.time_s.empty() || a.at_s))
-    throw core::Refused("the rows of the file have no times", "leave out --time and --at-time");
+    throw core::InvalidRequest("the rows of the file have no times", "leave out --time and --at-time");
 }
 
 // The samples of a file, cut to what --range, --time and --azimuth leave.
@@ -94,7 +96,7 @@ picture::ImageSamples chosen_part(const PlotArguments& a, const workflow::Placed
 Plotted picture_of(const PlotArguments& a, const workflow::PlacedImage& input, const picture::ImageSamples& part,
                    Streams& streams) {
   if (!a.csv.empty())
-    throw core::Refused("the picture of a file has no table", "sarsim convert gives its values as CSV");
+    throw core::InvalidRequest("the picture of a file has no table", "sarsim convert gives its values as CSV");
   picture::EchoWindow look;
   take_look(a, picture::DisplayQuantity::magnitude, look);
   picture::ImageLook wanted;
@@ -138,8 +140,8 @@ void cut_where_it_is_strongest(PlotArguments& a, const picture::SampleSource& sa
 Plotted plot_file(const PlotArguments& arguments, Streams& streams) {
   PlotArguments a = arguments;
   if (a.kind != PlotKind::picture && !is_of_samples(a.kind))
-    throw core::Refused("antennas, pulses and functions are drawn from scripts",
-                        "give the scene, a .scr or .toml file");
+    throw core::InvalidRequest("antennas, pulses and functions are drawn from scripts",
+                               "give the scene, a .scr or .toml file");
   Watch watch(streams, false);
   const workflow::PlacedImage input = workflow::open_placed_image({a.input, a.samples, a.simulation}, watch.observer());
   picture::ImageSamples part = chosen_part(a, input, streams.stop);
@@ -150,7 +152,7 @@ Plotted plot_file(const PlotArguments& arguments, Streams& streams) {
   if (input.focused && cut && complex && !a.recorded) {
     picture::make_finer(part, a.kind == PlotKind::pulse, streams.stop);
     // So many rows, with what lies between them.
-    if (a.pulses) a.pulses = (*a.pulses - 1) * static_cast<std::int64_t>(picture::finer_by) + 1;
+    if (a.pulses) a.pulses = (*a.pulses - 1) * static_cast<std::int64_t>(picture::upsampled_by) + 1;
   }
   if (a.at_azimuth_m) a.at_s = a.at_azimuth_m;
   return plot_samples(a, part.samples);

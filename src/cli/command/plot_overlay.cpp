@@ -22,13 +22,13 @@ struct Layer {
 
 void expect_few(std::size_t layers) {
   if (layers > picture::max_overlaid_curves)
-    throw core::Refused(fmt::format("{} curves in one picture cannot be told apart", layers),
-                        fmt::format("{} are possible: make several pictures", picture::max_overlaid_curves));
+    throw core::InvalidRequest(fmt::format("{} curves in one picture cannot be told apart", layers),
+                               fmt::format("{} are possible: make several pictures", picture::max_overlaid_curves));
 }
 
 void add_variations(std::vector<Layer>& layers, const PlotArguments& a, const core::StopFlag* stop) {
   const workflow::SceneInput input =
-      workflow::read_scene(a.input, a.overrides, workflow::Scrutiny::reading, {core::thread_count(0), stop});
+      workflow::read_scene(a.input, a.overrides, workflow::CheckLevel::reading, {core::thread_count(0), stop});
   workflow::SweepValues values;
   values.settings = a.variations;
   values.folder = fs::path(a.input).parent_path();
@@ -66,10 +66,11 @@ Plotted plot_overlaid(const PlotArguments& a, const std::function<Plotted(const 
   for (const Layer& layer : layers_of(a, stop)) figures.push_back({layer.name, plot_one(layer.arguments).figure});
   std::optional<picture::Figure> together = picture::overlaid(figures);
   if (!together)
-    throw core::Refused("these curves do not fit into one pair of axes",
-                        fmt::format("their axes must show the same quantities in the same units, and at most {} curves "
-                                    "can be told apart",
-                                    picture::max_overlaid_curves));
+    throw core::InvalidRequest(
+        "these curves do not fit into one pair of axes",
+        fmt::format("their axes must show the same quantities in the same units, and at most {} curves "
+                    "can be told apart",
+                    picture::max_overlaid_curves));
   Plotted plotted{std::move(*together), {}};
   if (!a.csv.empty()) plotted.table = picture::curves_table(plotted.figure, ',');
   return plotted;

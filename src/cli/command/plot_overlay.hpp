@@ -12,7 +12,7 @@ namespace sarsim::cli {
 /// The curves of the input, of its variations (--vary) and of other inputs (--with) in one picture.
 /// @param plot_one  what a picture of one of them is made by
 /// @param stop      null: cannot be stopped
-/// @throws core::Refused for variations that cannot be, and for figures that do not fit together
+/// @throws core::InvalidRequest for variations that cannot be, and for figures that do not fit together
 [[nodiscard]] Plotted plot_overlaid(const PlotArguments& arguments,
                                     const std::function<Plotted(const PlotArguments&)>& plot_one,
                                     const core::StopFlag* stop);

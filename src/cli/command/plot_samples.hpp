@@ -8,8 +8,8 @@ namespace sarsim::cli {
 /// Whether a kind is made of samples by `plot_samples`.
 [[nodiscard]] bool is_of_samples(PlotKind kind);
 
-/// Pulse, range, profile, range-Doppler map, spectrum or phase history; throws core::Refused where the samples do not
-/// say their times and ranges and the kind needs them, and where it would take too many of them.
+/// Pulse, range, profile, range-Doppler map, spectrum or phase history; throws core::InvalidRequest where the samples
+/// do not say their times and ranges and the kind needs them, and where it would take too many of them.
 [[nodiscard]] Plotted plot_samples(const PlotArguments& arguments, const picture::SampleSource& samples);
 
 /// Where the echoes are: the column with the most power, in up to 64 of some rows; the middle one of several alike.

@@ -26,15 +26,15 @@ scene::Simulation chosen_simulation(const PlotArguments& a, const scene::Scene& 
   if (a.simulation) {
     const auto number = static_cast<std::size_t>(*a.simulation);
     if (number > scene.simulations.size())
-      throw core::Refused(fmt::format("the scene has no recording {}", number),
-                          scene.simulations.empty()
-                              ? "it has none: choose with --radar"
-                              : fmt::format("recordings have the numbers 1 to {}", scene.simulations.size()));
+      throw core::InvalidRequest(fmt::format("the scene has no recording {}", number),
+                                 scene.simulations.empty()
+                                     ? "it has none: choose with --radar"
+                                     : fmt::format("recordings have the numbers 1 to {}", scene.simulations.size()));
     return scene.simulations[number - 1];
   }
   if (a.radar.empty() && !scene.simulations.empty()) return scene.simulations[0];
   if (scene.radars.empty())
-    throw core::Refused(a.input + ": the scene has no radar", "add a [[radar]]; in a .scr, a $RADAR");
+    throw core::InvalidRequest(a.input + ": the scene has no radar", "add a [[radar]]; in a .scr, a $RADAR");
   scene::Simulation simulation;
   simulation.radar = scene.radars[a.radar.empty() ? 0 : workflow::radar_named(scene, a.radar)].name;
   return simulation;
@@ -61,7 +61,7 @@ picture::EchoWindow chosen_window(const PlotArguments& a, const scene::Scene& sc
 }
 
 // What is wrong with the recording, with the options that stand in for its values.
-core::Refused with_options(core::Problems problems) {
+core::InvalidRequest with_options(core::Problems problems) {
   for (core::Problem& problem : problems) {
     const std::string& field = problem.subject.field;
     const bool sampled = field.starts_with("range") || field.starts_with("sample_rate");
@@ -69,7 +69,7 @@ core::Refused with_options(core::Problems problems) {
     if (!problem.hint.empty()) problem.hint += ' ';
     problem.hint += sampled ? "Choose others with --rate and --range." : "Choose another with --time.";
   }
-  return core::Refused(std::move(problems));
+  return core::InvalidRequest(std::move(problems));
 }
 
 // The echo matrix of a window, as a simulation window computes it.
@@ -156,9 +156,9 @@ void take_angles(const PlotArguments& a, picture::AntennaLook& look) {
   if (a.angles_deg.size() != 2) return;
   std::tie(look.first_deg, look.last_deg) = std::minmax(a.angles_deg[0], a.angles_deg[1]);
   if (look.first_deg < -turn_deg || look.last_deg > turn_deg)
-    throw core::Refused(fmt::format("--angles: {} to {} deg go beyond a turn", a.angles_deg[0], a.angles_deg[1]),
-                        "choose offsets from -360 to 360 deg");
-  if (!(look.first_deg < look.last_deg)) throw core::Refused("--angles: the two angles are the same");
+    throw core::InvalidRequest(fmt::format("--angles: {} to {} deg go beyond a turn", a.angles_deg[0], a.angles_deg[1]),
+                               "choose offsets from -360 to 360 deg");
+  if (!(look.first_deg < look.last_deg)) throw core::InvalidRequest("--angles: the two angles are the same");
 }
 
 Plotted of_radar(const PlotArguments& a, workflow::SceneInput& input, const core::StopFlag* stop) {
@@ -173,7 +173,8 @@ Plotted of_radar(const PlotArguments& a, workflow::SceneInput& input, const core
     look.quantity = a.quantity.value_or(look.quantity);
     look.span_db = a.span_db.value_or(look.span_db);
     if (look.quantity == picture::DisplayQuantity::imaginary || look.quantity == picture::DisplayQuantity::phase)
-      throw core::Refused("--show: an antenna's pattern is real", "choose real (with its sign), magnitude or db");
+      throw core::InvalidRequest("--show: an antenna's pattern is real",
+                                 "choose real (with its sign), magnitude or db");
     take_angles(a, look);
     plotted.figure = picture::antenna_figure(radar, input.resolved->conventions.pattern, look);
   }
@@ -211,8 +212,8 @@ bool begins_with(std::string_view text, std::string_view beginning) {
 UsedFunction chosen_function(const PlotArguments& a, const scene::Scene& scene) {
   std::vector<UsedFunction> all = used_functions(scene);
   if (all.empty())
-    throw core::Refused(a.input + ": the script uses no user-defined function",
-                        "trajectories and user patterns are some");
+    throw core::InvalidRequest(a.input + ": the script uses no user-defined function",
+                               "trajectories and user patterns are some");
   std::vector<UsedFunction> found;
   for (const UsedFunction& one : all)
     if (begins_with(one.name, a.function) || begins_with(one.field, a.function)) found.push_back(one);
@@ -225,7 +226,7 @@ UsedFunction chosen_function(const PlotArguments& a, const scene::Scene& scene) 
   const std::string message = a.function.empty() ? fmt::format("the script uses {} functions", all.size())
                               : found.empty()    ? fmt::format("the script uses no function '{}'", a.function)
                                                  : fmt::format("'{}' may be any of {}", a.function, found.size());
-  throw core::Refused("--function: " + message, "choose one of " + names);
+  throw core::InvalidRequest("--function: " + message, "choose one of " + names);
 }
 
 Plotted of_function(const PlotArguments& a, const workflow::SceneInput& input) {
@@ -251,7 +252,7 @@ Plotted of_ground(const PlotArguments& a, workflow::SceneInput& input, const cor
     times = {simulation.time_start_s, simulation.time_end_s};
   }
   if (a.time_s.size() == 2) std::tie(times.first_s, times.last_s) = std::minmax(a.time_s[0], a.time_s[1]);
-  if (!(times.first_s < times.last_s)) throw core::Refused("--time: the two times are the same");
+  if (!(times.first_s < times.last_s)) throw core::InvalidRequest("--time: the two times are the same");
   workflow::resolve_once(input, {core::thread_count(0), stop});
   Plotted plotted;
   plotted.figure = footprint ? picture::footprint_figure(input.scene, *input.resolved, number, times)
@@ -264,10 +265,10 @@ Plotted of_ground(const PlotArguments& a, workflow::SceneInput& input, const cor
 
 Plotted plot_scene(const PlotArguments& a, Streams& streams) {
   if (!a.azimuth_m.empty() || a.at_azimuth_m)
-    throw core::Refused("--azimuth and --at-azimuth are for focused images",
-                        "rows of a script's echoes have times: --time");
+    throw core::InvalidRequest("--azimuth and --at-azimuth are for focused images",
+                               "rows of a script's echoes have times: --time");
   workflow::SceneInput input =
-      workflow::read_scene(a.input, a.overrides, workflow::Scrutiny::values, {core::thread_count(0), streams.stop});
+      workflow::read_scene(a.input, a.overrides, workflow::CheckLevel::values, {core::thread_count(0), streams.stop});
   workflow::expect_usable(input);
   print_problems(streams, input.of_files);
   switch (a.kind) {

@@ -25,14 +25,14 @@ std::optional<std::size_t> followed_platform(const PlotArguments& a, const scene
   if (found != scene::not_found) return found;
   std::string names;
   for (const scene::Platform& platform : scene.platforms) names += (names.empty() ? "" : ", ") + platform.name;
-  throw core::Refused(fmt::format("--follow: the scene has no platform '{}'", a.followed),
-                      names.empty() ? "it has none" : "choose one of " + names);
+  throw core::InvalidRequest(fmt::format("--follow: the scene has no platform '{}'", a.followed),
+                             names.empty() ? "it has none" : "choose one of " + names);
 }
 
 std::optional<std::size_t> beam_radar(const PlotArguments& a, const scene::Scene& scene) {
   if (!a.radar.empty()) return workflow::radar_named(scene, a.radar);
   if (a.view != picture::SceneLook::From::beam || !scene.radars.empty()) return std::nullopt;
-  throw core::Refused("--view beam: the scene has no radar", "choose another view");
+  throw core::InvalidRequest("--view beam: the scene has no radar", "choose another view");
 }
 
 picture::SceneLook look_of(const PlotArguments& a, const scene::Scene& scene) {
@@ -56,7 +56,8 @@ picture::SceneLook look_of(const PlotArguments& a, const scene::Scene& scene) {
 std::vector<double> times_of(const PlotArguments& a, const scene::Scene& scene) {
   const std::array<double, 2> span_s = picture::SnapshotMaker(scene).time_span_s();
   if (!a.frames) return {a.at_s.value_or(0.5 * (span_s[0] + span_s[1]))};
-  if (a.at_s) throw core::Refused("--at-time and --frames ask for one picture and for many", "leave one of them out");
+  if (a.at_s)
+    throw core::InvalidRequest("--at-time and --frames ask for one picture and for many", "leave one of them out");
   const double first_s = a.time_s.size() == 2 ? a.time_s[0] : span_s[0];
   const double last_s = a.time_s.size() == 2 ? a.time_s[1] : span_s[1];
   std::vector<double> times_s;
@@ -79,16 +80,17 @@ std::vector<fs::path> paths_of(const PlotArguments& a, std::size_t count) {
 }
 
 void expect_view(const PlotArguments& a) {
-  if (a.out.empty()) throw core::Refused("--kind scene makes a picture", "name it with -o");
+  if (a.out.empty()) throw core::InvalidRequest("--kind scene makes a picture", "name it with -o");
   if (!workflow::language_of_name(a.input))
-    throw core::Refused(fmt::format("--kind scene: '{}' is no scene", a.input), "name a .toml or .scr file");
-  if (a.title) throw core::Refused("--title means nothing for --kind scene", "leave it out");
+    throw core::InvalidRequest(fmt::format("--kind scene: '{}' is no scene", a.input), "name a .toml or .scr file");
+  if (a.title) throw core::InvalidRequest("--title means nothing for --kind scene", "leave it out");
   if (!a.time_s.empty() && !a.frames)
-    throw core::Refused("--time is the span of several pictures", "add --frames N, or choose one with --at-time");
+    throw core::InvalidRequest("--time is the span of several pictures",
+                               "add --frames N, or choose one with --at-time");
   if (a.look_deg.size() == 2 && std::abs(a.look_deg[1]) > 90.0)
-    throw core::Refused(fmt::format("--look: an elevation of {} deg", a.look_deg[1]), "choose -90 to 90 deg");
+    throw core::InvalidRequest(fmt::format("--look: an elevation of {} deg", a.look_deg[1]), "choose -90 to 90 deg");
   if (a.view && !a.look_deg.empty())
-    throw core::Refused("--view and --look both say from where the scene is seen", "leave one of them out");
+    throw core::InvalidRequest("--view and --look both say from where the scene is seen", "leave one of them out");
 }
 
 }  // namespace
@@ -96,7 +98,7 @@ void expect_view(const PlotArguments& a) {
 void plot_view(const PlotArguments& a, Streams& streams) {
   expect_view(a);
   workflow::SceneInput input =
-      workflow::read_scene(a.input, a.overrides, workflow::Scrutiny::values, {core::thread_count(0), streams.stop});
+      workflow::read_scene(a.input, a.overrides, workflow::CheckLevel::values, {core::thread_count(0), streams.stop});
   workflow::expect_usable(input);
   print_problems(streams, input.of_files);
   const std::vector<double> times_s = times_of(a, input.scene);

@@ -78,7 +78,7 @@ class RunPrinter {
   }
 
   /// Ends the report of a run that was refused; errors that were found say why, where there are any.
-  void finish_refused(const core::Refused& refused) {
+  void finish_refused(const core::InvalidRequest& refused) {
     finish(word_of(status_of(refused)), core::has_errors(found_) ? shown(found_) : refused.problems);
   }
   void finish(const char* status) { finish(status, found_); }
@@ -118,7 +118,7 @@ ExitStatus run(const RunArguments& arguments, Streams& streams, workflow::Team* 
   RunPrinter printer(arguments, streams);
   try {
     static_cast<void>(workflow::record(request_of(arguments, team), printer.observer(), printer.events()));
-  } catch (core::Refused& error) {
+  } catch (core::InvalidRequest& error) {
     error.problems = printer.shown(std::move(error.problems));
     printer.finish_refused(error);
     throw;

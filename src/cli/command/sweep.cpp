@@ -13,7 +13,7 @@
 #include "cli/shell/engine_options.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/watch.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/counted.hpp"
 #include "core/text/number_text.hpp"
@@ -44,7 +44,7 @@ SweepRequest sweep_request(const SweepArguments& arguments, workflow::SceneInput
   for (const std::string& word : arguments.let)
     request.values.settings.push_back(std::string(workflow::let_prefix) + word);
   request.values.folder = std::filesystem::path(arguments.scene).parent_path();
-  request.follow_up = workflow::follow_up_of(arguments.words.follow_up);
+  request.post_processing = workflow::post_processing_of(arguments.words.post_processing);
   request.format = request.overrides.format;
   request.engine = arguments.engine.value_or(simulate::Engine::automatic);
   return request;
@@ -54,7 +54,7 @@ workflow::SceneInput read_scene_to_vary(const SweepArguments& arguments, Streams
   const SweepRequest& request = arguments.words.request;
   const unsigned threads = core::thread_count(request.threads);
   workflow::SceneInput input =
-      read_scene(arguments.scene, request.overrides, workflow::Scrutiny::reading, {threads, streams.stop});
+      read_scene(arguments.scene, request.overrides, workflow::CheckLevel::reading, {threads, streams.stop});
   if (!core::has_errors(input.problems)) {
     const std::filesystem::path folder = std::filesystem::path(arguments.scene).parent_path();
     core::Problems of_clouds = workflow::read_files_of(input.scene, folder, {threads, streams.stop});
@@ -116,7 +116,7 @@ ExitStatus print_report(const SweepArguments& arguments, const SweepRequest& req
 
 ExitStatus sweep_scene(const SweepArguments& arguments, Streams& streams) {
   if (arguments.commands && !arguments.dry_run)
-    throw core::Refused("--commands prints what a sweep would run, and runs nothing", "add --dry-run");
+    throw core::InvalidRequest("--commands prints what a sweep would run, and runs nothing", "add --dry-run");
   workflow::choose_simd(arguments.simd);
   workflow::SceneInput input = read_scene_to_vary(arguments, streams);
   if (arguments.fields) {
@@ -130,8 +130,8 @@ ExitStatus sweep_scene(const SweepArguments& arguments, Streams& streams) {
   if (plan.refused && arguments.json)
     write_out(streams, workflow::sweep_json(frame_of(request, plan, "bad input"), {}));
   workflow::expect_sound(plan);
-  if (arguments.commands && request.follow_up)
-    throw core::Refused(
+  if (arguments.commands && request.post_processing)
+    throw core::InvalidRequest(
         "--commands prints the recordings alone",
         "leave out --focus, --search or --profiles, and follow up each recording in a command of its own");
   if (arguments.commands) {

@@ -22,10 +22,10 @@
 #include "cli/shell/signals.hpp"
 #include "core/build/build.hpp"
 #include "core/build/version.hpp"
+#include "core/os/isolated.hpp"
 #include "core/os/standard_streams.hpp"
-#include "core/os/trial.hpp"
-#include "core/report/for_now.hpp"
-#include "core/task/kept_interruption.hpp"
+#include "core/report/retryable.hpp"
+#include "core/task/deferred_signal.hpp"
 #include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
 #include "picture/facts/version_text.hpp"
@@ -220,11 +220,11 @@ void expect_no_extras(const Program& program, const CLI::App* command) {
   const std::string where = command != nullptr ? command->get_name() + ": " : std::string();
   const char* what = option ? "unknown option" : command == nullptr ? "unknown command" : "unexpected argument";
   const std::string other = other_way(command, word, name);
-  throw core::Refused(fmt::format("{}{} '{}'", where, what, name),
-                      !other.empty() ? other
-                      : nearest.empty()
-                          ? fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : "")
-                          : fmt::format("did you mean '{}'?", nearest));
+  throw core::InvalidRequest(
+      fmt::format("{}{} '{}'", where, what, name),
+      !other.empty()    ? other
+      : nearest.empty() ? fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : "")
+                        : fmt::format("did you mean '{}'?", nearest));
 }
 
 ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& streams) {
@@ -248,8 +248,8 @@ ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& s
   } catch (const CLI::ParseError& error) {
     expect_no_extras(program, command);
     const std::string where = command != nullptr ? command->get_name() + ": " : std::string();
-    throw core::Refused(where + error.what(),
-                        fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : ""));
+    throw core::InvalidRequest(where + error.what(),
+                               fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : ""));
   }
   expect_no_extras(program, command);
   if (command == nullptr) {
@@ -270,7 +270,7 @@ std::string remedy(const std::error_code& failure) {
       failure == std::errc::file_exists)
     return "write into a folder that can be written, with another --out or output name";
   if (failure == std::errc::filename_too_long) return "give the output a shorter name";
-  if (core::may_pass(failure)) return "this may pass: try again later";
+  if (core::is_retryable(failure)) return "this may pass: try again later";
   return {};
 }
 
@@ -300,7 +300,7 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
     const ExitStatus status = dispatch(program, std::move(words), streams);
     flush_out(streams);
     return status;
-  } catch (const core::Refused& error) {
+  } catch (const core::InvalidRequest& error) {
     print_problems(streams, error.problems);
     const ExitStatus status = status_of(error);
     if (json) write_failure(streams, word_of(status), error.problems);
@@ -309,7 +309,7 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
     return exit_failed;
   } catch (const core::Interrupted& interrupted) {
     const int number = received_signal();
-    const auto* kept = dynamic_cast<const core::KeptInterruption*>(&interrupted);
+    const auto* kept = dynamic_cast<const core::DeferredSignal*>(&interrupted);
     write_err(streams,
               fmt::format("sarsim: interrupted; {}\n",
                           kept == nullptr ? "nothing unfinished was left behind"
@@ -357,7 +357,7 @@ int team_program(int argc, const char* const* argv, workflow::Team* team) {
                  "    start it as mpirun -n P sarsim-mpi run SCENE, or use sarsim run SCENE\n";
     return exit_bad_input;
   }
-  const core::StopFlag& stop = handle_signals(Company::team);
+  const core::StopFlag& stop = handle_signals(ProcessGroup::team);
   const std::vector<std::string> words(argv + std::min(1, argc), argv + argc);
   Program program(*team);
   Streams own = streams_of_process(stop);

@@ -4,7 +4,7 @@
 #include <ostream>
 #include <system_error>
 
-#include "core/report/for_now.hpp"
+#include "core/report/retryable.hpp"
 
 namespace sarsim::cli {
 
@@ -25,9 +25,13 @@ void write_bytes(Streams& streams, std::string_view bytes) {
 
 }  // namespace
 
-ExitStatus status_of(const core::Refused& refused) { return core::may_pass(refused) ? exit_try_again : exit_bad_input; }
+ExitStatus status_of(const core::InvalidRequest& refused) {
+  return core::is_retryable(refused) ? exit_try_again : exit_bad_input;
+}
 
-ExitStatus status_of(const std::error_code& failure) { return core::may_pass(failure) ? exit_try_again : exit_failed; }
+ExitStatus status_of(const std::error_code& failure) {
+  return core::is_retryable(failure) ? exit_try_again : exit_failed;
+}
 
 const char* word_of(ExitStatus status) {
   switch (status) {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/stop.hpp"
 
 namespace sarsim::cli {
@@ -20,7 +20,7 @@ enum ExitStatus : int {
 };
 
 /// How a command ends that was refused, or for which the system failed: whoever starts it may try again, or not.
-[[nodiscard]] ExitStatus status_of(const core::Refused& refused);
+[[nodiscard]] ExitStatus status_of(const core::InvalidRequest& refused);
 [[nodiscard]] ExitStatus status_of(const std::error_code& failure);
 
 /// How reports in JSON call an exit status: "done", "failed", "bad input", "try again".

@@ -10,10 +10,10 @@ core::StopFlag stop_flag;
 
 }  // namespace
 
-const core::StopFlag& handle_signals(Company company) {
+const core::StopFlag& handle_signals(ProcessGroup company) {
   core::install_stop_signals(
       {.request = []() noexcept { stop_flag.request(); }, .noticed = []() noexcept { return stop_flag.noticed(); }},
-      company == Company::alone);
+      company == ProcessGroup::alone);
   return stop_flag;
 }
 

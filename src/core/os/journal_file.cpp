@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/hash/checksum.hpp"
-#include "core/report/for_now.hpp"
+#include "core/report/retryable.hpp"
 
 namespace sarsim::core {
 
@@ -23,13 +23,13 @@ std::uint64_t size_of_journal(const RawFile& file) {
                                fmt::format("at most {}", max_journal_bytes),
                                "delete this journal: what it lists is then computed again");
   problem.place.file = file.path().string();
-  throw Refused(Problems{std::move(problem)});
+  throw InvalidRequest(Problems{std::move(problem)});
 }
 
 [[noreturn]] void throw_in_use(const std::filesystem::path& path) {
   Problem problem = problem_of(Severity::error, "another process is adding to this journal", {}, {}, "wait for it");
   problem.place.file = path.string();
-  throw RefusedForNow(Problems{std::move(problem)});
+  throw RetryableError(Problems{std::move(problem)});
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ struct JournalLines {
 inline constexpr std::uint64_t max_journal_bytes = std::uint64_t{1} << 30U;
 
 /// All of a journal, which another process may be adding to.
-/// @throws std::system_error "cannot read FILE"; Refused where it is no regular file or longer than max_journal_bytes
+/// @throws std::system_error "cannot read FILE"; InvalidRequest where it is no regular file or longer than
+/// max_journal_bytes
 [[nodiscard]] std::string read_journal_file(const std::filesystem::path& path);
 
 /// A journal to which lines are added. Every failure is a std::system_error that names the action and the file. One
@@ -42,7 +43,7 @@ class JournalFile {
   explicit JournalFile(RawFile file);
 
   /// Opens a journal for lines that outlast their process but not a loss of power.
-  /// @throws RefusedForNow where another process has it open so; it is left as it is then
+  /// @throws RetryableError where another process has it open so; it is left as it is then
   /// @param keep     what is there; else the journal begins anew
   /// @param heading  the first line, with its end, of a journal that has none
   [[nodiscard]] static JournalFile open(const std::filesystem::path& path, bool keep, std::string_view heading);

@@ -4,7 +4,7 @@
 
 #include <system_error>
 
-#include "core/report/for_now.hpp"
+#include "core/report/retryable.hpp"
 #include "support/test_folder.hpp"
 
 namespace sarsim::core {
@@ -80,7 +80,7 @@ TEST(JournalFile, BelongsToWhoOpensItFirst) {
     JournalFile first = JournalFile::open(folder / "j", true, "heading\n");
     first.add("a\n");
     for (const bool keep : {true, false})
-      EXPECT_THROW(static_cast<void>(JournalFile::open(folder / "j", keep, "heading\n")), RefusedForNow);
+      EXPECT_THROW(static_cast<void>(JournalFile::open(folder / "j", keep, "heading\n")), RetryableError);
     first.add("b\n");
     EXPECT_EQ(contents(folder / "j"), "heading\na\nb\n");
   }
@@ -95,7 +95,7 @@ TEST(JournalFile, IsRefusedByItsSizeBeforeAnyMemoryIsTaken) {
   try {
     static_cast<void>(read_journal_file(folder / "j"));
     FAIL() << "read";
-  } catch (const Refused& refused) {
+  } catch (const InvalidRequest& refused) {
     const Problem& problem = refused.problems.at(0);
     EXPECT_EQ(problem.message, "the file is too large for a journal");
     EXPECT_EQ(problem.found, "1099511627776 bytes");

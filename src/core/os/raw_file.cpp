@@ -15,7 +15,7 @@
 
 #include "core/os/output_file.hpp"
 #include "core/os/write_behind.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 
 namespace sarsim::core {
 
@@ -44,7 +44,7 @@ std::string kind_of(mode_t mode) {
 
 [[noreturn]] void refuse(const fs::path& path, Problem problem) {
   problem.place.file = path.string();
-  throw Refused(Problems{std::move(problem)});
+  throw InvalidRequest(Problems{std::move(problem)});
 }
 
 [[noreturn]] void refuse_kind(const fs::path& path, mode_t mode) {

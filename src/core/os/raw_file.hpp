@@ -9,8 +9,8 @@ namespace sarsim::core {
 
 /// An open file whose bytes are read and written by their place. Unlike OutputFile it is there under its name from the
 /// beginning: for what several processes, or one after the other, work on. Only regular files; links are followed for
-/// reading alone, and what is written has no other name (hard link). Anything else is Refused when it is opened; every
-/// failure is a std::system_error that names the action and the file. Moved-from and default ones are closed.
+/// reading alone, and what is written has no other name (hard link). Anything else is InvalidRequest when it is opened;
+/// every failure is a std::system_error that names the action and the file. Moved-from and default ones are closed.
 class RawFile {
  public:
   /// What is done with the file, and whether it has to be there.
@@ -63,8 +63,8 @@ class RawFile {
   int descriptor_ = -1;
 };
 
-/// Writes a whole file with OutputFile, replacing the one that was there; Refused where the name is that of a link or
-/// of something else that is not a regular file.
+/// Writes a whole file with OutputFile, replacing the one that was there; InvalidRequest where the name is that of a
+/// link or of something else that is not a regular file.
 /// @returns the file, locked since before it had its name
 RawFile replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "support/test_folder.hpp"
 
 namespace sarsim::core {
@@ -27,7 +27,7 @@ const auto no_bytes = std::span<const std::byte>();
 Problem refusal_of(const std::function<void()>& action) {
   try {
     action();
-  } catch (const Refused& refused) {
+  } catch (const InvalidRequest& refused) {
     return refused.problems.at(0);
   }
   ADD_FAILURE() << "not refused";

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "gui/common/problem_line.hpp"
 
 namespace sarsim::gui {
@@ -14,7 +14,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Warnings beside the errors are of no use to who has to mend these.
-QString words_of(const core::Refused& refused) {
+QString words_of(const core::InvalidRequest& refused) {
   QStringList texts;
   for (const core::Problem& problem : refused.problems)
     if (problem.severity == core::Severity::error) texts << problem_text(problem);
@@ -63,7 +63,7 @@ void BackgroundJob::work_through(const Work& work) {
     end_with(JobEnd::done, {});
   } catch (const core::Interrupted&) {
     end_with(JobEnd::cancelled, {});
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     end_with(JobEnd::failed, words_of(refused));
   } catch (const std::bad_alloc&) {
     end_with(JobEnd::failed, tr("There is not enough memory for this."));

@@ -45,7 +45,7 @@ QString tooltip_of(const scene::Field& field) {
 
 }  // namespace
 
-QString finer_text(const QString& text) {
+QString upsampled_text(const QString& text) {
   const QRegularExpressionMatch match = number_form().match(text);
   if (!match.hasMatch() || (match.captured(2) + match.captured(3)).isEmpty()) return {};
   return match.captured(1) + match.captured(2) + '.' + match.captured(3) + '0' + match.captured(4) + match.captured(5);

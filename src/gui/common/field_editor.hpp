@@ -21,7 +21,7 @@ class ProblemLine;
 /// number.
 [[nodiscard]] QString stepped_text(const QString& text, int steps);
 /// The same number with one digit more: "5 cm" becomes "5.0 cm". Empty if the text is not a number.
-[[nodiscard]] QString finer_text(const QString& text);
+[[nodiscard]] QString upsampled_text(const QString& text);
 
 /// Where the value of a field comes from.
 enum class FieldOrigin {

@@ -59,7 +59,7 @@ QString step_within(const QString& text, int steps, const scene::Field& field) {
   if (steps > 0 || stepped.isEmpty() || !holds(from)) return stepped;
   const bool finer = range.low_excluded && field.quantity != scene::Quantity::count;
   for (int i = 0; i < max_digits && finer && !holds(stepped); ++i) {
-    from = finer_text(from);
+    from = upsampled_text(from);
     stepped = stepped_text(from, steps);
   }
   return holds(stepped) ? stepped : text;

@@ -39,7 +39,7 @@ Session::Session(QObject* parent) : QObject(parent) {
   problems_soon_.setSingleShot(true);
   problems_soon_.setInterval(pause_ms);
   connect(&problems_soon_, &QTimer::timeout, this, &Session::find_put_off_problems);
-  connect(&search_, &LatestWork::ended, this, &Session::take_search);
+  connect(&search_, &LatestOnlyWork::ended, this, &Session::take_search);
   desks_.push_back(desk_with(scene::Document()));
   desk_ = desks_.front().get();
 }

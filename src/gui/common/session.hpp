@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "gui/common/latest_work.hpp"
+#include "gui/common/latest_only_work.hpp"
 #include "scene/edit/document.hpp"
 #include "scene/edit/scene_change.hpp"
 #include "scene/model/object.hpp"
@@ -160,7 +160,7 @@ class Session : public QObject {
   Desk* desk_ = nullptr;  // the one at hand
   QTimer problems_soon_;
   // For problems of a long text, and what it was begun with.
-  LatestWork search_;
+  LatestOnlyWork search_;
   std::shared_ptr<scene::Document::Findings> found_;
   std::uint64_t searched_ = 0;  // the revision of the document at hand
 };

@@ -72,10 +72,10 @@ RadarViewWindow::RadarViewWindow(SimulationWindow& from, picture::RadarView view
   column->addWidget(problems_);
   column->addWidget(plot_, 1);
   column->addLayout(foot);
-  soon_.setSingleShot(true);
-  connect(&soon_, &QTimer::timeout, this, &RadarViewWindow::compute);
+  debounce_.setSingleShot(true);
+  connect(&debounce_, &QTimer::timeout, this, &RadarViewWindow::compute);
   connect(&from_, &SimulationWindow::changed, this, &RadarViewWindow::compute_soon);
-  connect(&work_, &LatestWork::ended, this, &RadarViewWindow::show_result);
+  connect(&work_, &LatestOnlyWork::ended, this, &RadarViewWindow::show_result);
   show_choice();
   resize(820,
          view == picture::RadarView::range_doppler ? 740 : 560);  // Two pictures below each other, one of them a map.
@@ -198,7 +198,7 @@ void RadarViewWindow::take_choice() {
 
 void RadarViewWindow::compute_soon() {
   complete_ = false;
-  soon_.start(settling_ms);
+  debounce_.start(settling_ms);
 }
 
 void RadarViewWindow::compute() {
@@ -223,7 +223,7 @@ void RadarViewWindow::compute() {
 
 void RadarViewWindow::show_result(bool good, const QString& failure) {
   progress_->hide();
-  complete_ = !soon_.isActive();
+  complete_ = !debounce_.isActive();
   QStringList texts;
   if (!good) texts << failure;
   for (const core::Problem& problem : result_->problems) texts << problem_text(problem);

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "gui/common/latest_work.hpp"
+#include "gui/common/latest_only_work.hpp"
 #include "picture/echo/radar_figures.hpp"
 
 class QCheckBox;
@@ -77,12 +77,12 @@ class RadarViewWindow : public QWidget {
   FigurePlot* plot_ = nullptr;
   ProblemLine* problems_ = nullptr;
   QProgressBar* progress_ = nullptr;
-  QTimer soon_;
+  QTimer debounce_;
   bool complete_ = false;
   bool showing_ = false;
   struct Result;
   std::shared_ptr<Result> result_;  // written by the work, read when it has ended
-  LatestWork work_;
+  LatestOnlyWork work_;
 };
 
 }  // namespace sarsim::gui

@@ -228,8 +228,8 @@ QWidget* SimulationWindow::make_foot() {
 }
 
 void SimulationWindow::connect_all() {
-  soon_.setSingleShot(true);
-  connect(&soon_, &QTimer::timeout, this, &SimulationWindow::compute);
+  debounce_.setSingleShot(true);
+  connect(&debounce_, &QTimer::timeout, this, &SimulationWindow::compute);
   connect(&session_, &Session::scene_changed, this, &SimulationWindow::follow_scene);
   connect(controls_, &EchoControls::edited, this, [this](const picture::EchoWindow& window) { take_state(window); });
   connect(controls_, &EchoControls::view_typed, this, &SimulationWindow::go_to);
@@ -348,7 +348,7 @@ void SimulationWindow::show_all_targets() {
 
 void SimulationWindow::compute_soon() {
   // At once, but once for all that changed in one turn of the event loop.
-  if (!soon_.isActive()) soon_.start(0);
+  if (!debounce_.isActive()) debounce_.start(0);
 }
 
 void SimulationWindow::compute() {
@@ -403,7 +403,7 @@ void SimulationWindow::show_event() {
   if (event.matrix && event.matrix->rows() > 0) {
     progress_->setValue(static_cast<int>(progress_steps * event.matrix->ready_rows() / event.matrix->rows()));
     const std::string warning =
-        picture::sampling_warning(window_, event.matrix->plan().simulation.sample_rate_hz, bandwidth_hz());
+        picture::sampling_warning(window_, event.matrix->plan().acquisition.simulation.sample_rate_hz, bandwidth_hz());
     warning_->say(text_of(warning));
   }
   highest_->setText(text_of(picture::highest_magnitude_text(plot_->colours().statistics)));

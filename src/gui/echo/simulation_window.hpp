@@ -136,7 +136,7 @@ class SimulationWindow : public QWidget {
   ReservedLabel* warning_ = nullptr;
   QProgressBar* progress_ = nullptr;
   ProblemLine* problems_ = nullptr;
-  QTimer soon_;
+  QTimer debounce_;
   std::mutex lock_;                              // of `latest_`
   std::optional<picture::PreviewEvent> latest_;  // from the threads that compute
   std::uint64_t request_ = 0;

@@ -81,7 +81,7 @@ QStringList strings(const std::vector<std::string>& texts) {
 }
 
 int take_screenshot(sarsim::gui::MainWindow& main, const Options& options) {
-  sarsim::gui::PictureWish wish;
+  sarsim::gui::PictureRequest wish;
   wish.window = QString::fromStdString(options.window);
   wish.file = QString::fromStdString(options.screenshot);
   wish.selected = strings(options.selected);

@@ -129,7 +129,7 @@ QWidget* shown_window(MainWindow& main, const QString& name) {
 }
 
 // What a wish that names no window is about: the file that is shown.
-QString window_of(MainWindow& main, const PictureWish& wish) {
+QString window_of(MainWindow& main, const PictureRequest& wish) {
   if (!wish.window.isEmpty()) return wish.window;
   return main.image_viewers().viewers().empty() ? QStringLiteral("main") : QStringLiteral("viewer");
 }
@@ -155,7 +155,7 @@ QImage with_few_colours(const QImage& picture) {
   return picture.convertToFormat(QImage::Format_Indexed8, table, Qt::ThresholdDither | Qt::AvoidDither);
 }
 
-bool write_picture(QWidget& window, const PictureWish& wish) {
+bool write_picture(QWidget& window, const PictureRequest& wish) {
   QImage picture = window.grab().toImage();
   if (wish.few_colours) picture = with_few_colours(picture.convertToFormat(QImage::Format_RGB32));
   constexpr int smallest_file = 0;  // quality of PNG: how hard it is packed
@@ -198,7 +198,7 @@ void wait_for_image(MainWindow& main) {
   until_shown.exec();
 }
 
-bool make_picture(MainWindow& main, const PictureWish& wish) {
+bool make_picture(MainWindow& main, const PictureRequest& wish) {
   if (!wish.size.isEmpty()) main.resize(wish.size);
   main.show();
   QApplication::processEvents();  // The docks take their sizes.

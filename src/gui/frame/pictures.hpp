@@ -8,7 +8,7 @@ namespace sarsim::gui {
 class MainWindow;
 
 /// What a picture of the workbench is to show.
-struct PictureWish {
+struct PictureRequest {
   QString window;            ///< One of picture_names(); empty: the viewer of a file of samples, else the main one.
   QString file;              ///< PNG file that is written.
   QStringList selected;      ///< Objects by kind and number from 1: "radar:2".
@@ -30,6 +30,6 @@ struct PictureWish {
 /// Brings a window into the wanted state, lets work in the background end and writes the picture. Runs the event loop.
 /// Complaints go to standard error.
 /// @return  true where the picture was written
-[[nodiscard]] bool make_picture(MainWindow& main, const PictureWish& wish);
+[[nodiscard]] bool make_picture(MainWindow& main, const PictureRequest& wish);
 
 }  // namespace sarsim::gui

@@ -21,7 +21,7 @@ constexpr int rest_ms = 1000;
 ProblemWatch::ProblemWatch(Session& session, QObject* parent) : QObject(parent), session_(session) {
   rest_.setSingleShot(true);
   connect(&rest_, &QTimer::timeout, this, &ProblemWatch::look);
-  connect(&survey_, &LatestWork::ended, this, [this](bool good) { take_survey(good); });
+  connect(&survey_, &LatestOnlyWork::ended, this, [this](bool good) { take_survey(good); });
   connect(&session_, &Session::document_replaced, this, &ProblemWatch::begin_document);
   connect(&session_, &Session::document_closed, this, [this](int number) { surveyed_.erase(number); });
   connect(&session_, &Session::scene_changed, this, &ProblemWatch::wait_for_rest);
@@ -66,7 +66,7 @@ void ProblemWatch::look_at_echoes() {
     simulate::SurveyReport report = simulate::survey_report(*scene, resolved, control);
     found->problems = std::move(report.problems);
     if (!core::has_errors(found->problems))
-      std::ranges::move(workflow::remarks_of_commands(*scene, resolved, control), std::back_inserter(found->problems));
+      std::ranges::move(workflow::diagnose_commands(*scene, resolved, control), std::back_inserter(found->problems));
     for (const simulate::EchoSummary& summary : report.summaries)
       found->echoes += QString::fromStdString(workflow::echo_text(*scene, summary));
   });

@@ -6,7 +6,7 @@
 #include <map>
 #include <memory>
 
-#include "gui/common/latest_work.hpp"
+#include "gui/common/latest_only_work.hpp"
 #include "gui/common/session.hpp"
 
 namespace sarsim::gui {
@@ -40,7 +40,7 @@ class ProblemWatch : public QObject {
   Session& session_;
   QTimer rest_;
   bool fresh_ = true;  // nothing was told of this document yet
-  LatestWork survey_;
+  LatestOnlyWork survey_;
   // What a survey has found.
   struct Found {
     core::Problems problems;  // without places

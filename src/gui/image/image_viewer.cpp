@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "core/os/cache_folder.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "gui/common/figure_plot.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/common/reserved_label.hpp"
@@ -158,7 +158,7 @@ void ImageViewer::take_places() {
     plot_->set_places(workflow::drawn_places(path_, *source_));
     algorithm_ = QString::fromStdString(workflow::algorithm_said(path_));
     show_title();
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     open_problems_.insert(open_problems_.end(), refused.problems.begin(), refused.problems.end());
   } catch (const std::exception& error) {
     read_failure_ = QString::fromUtf8(error.what());
@@ -350,7 +350,7 @@ void ImageViewer::refresh() {
 // Once for all that changes within one round of events.
 void ImageViewer::read_soon() {
   complete_ = false;
-  soon_.start(0);
+  debounce_.start(0);
 }
 
 void ImageViewer::read_part() {

@@ -197,7 +197,7 @@ class ImageViewer : public QWidget {
   QCheckBox* follow_file_ = nullptr;
   QPushButton* export_ = nullptr;
   QPushButton* describe_ = nullptr;
-  QTimer soon_;
+  QTimer debounce_;
   QTimer watch_;
   QTimer overview_timer_;
   QTimer measure_soon_;

@@ -189,8 +189,8 @@ QWidget* ImageViewer::make_foot() {
 }
 
 void ImageViewer::connect_all() {
-  for (QTimer* timer : {&soon_, &measure_soon_}) timer->setSingleShot(true);
-  connect(&soon_, &QTimer::timeout, this, &ImageViewer::read_part);
+  for (QTimer* timer : {&debounce_, &measure_soon_}) timer->setSingleShot(true);
+  connect(&debounce_, &QTimer::timeout, this, &ImageViewer::read_part);
   connect(&measure_soon_, &QTimer::timeout, this, &ImageViewer::measure);
   connect(&watch_, &QTimer::timeout, this, &ImageViewer::look_at_file);
   connect(&overview_timer_, &QTimer::timeout, this, &ImageViewer::show_overview);

@@ -147,10 +147,10 @@ OpenImageDialog::OpenImageDialog(QWidget* parent) : QDialog(parent) {
   layout->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  soon_.setSingleShot(true);
-  connect(&soon_, &QTimer::timeout, this, &OpenImageDialog::begin_preview);
-  connect(&finding_, &LatestWork::ended, this, &OpenImageDialog::show_found);
-  connect(&previewing_, &LatestWork::ended, this, &OpenImageDialog::show_preview);
+  debounce_.setSingleShot(true);
+  connect(&debounce_, &QTimer::timeout, this, &OpenImageDialog::begin_preview);
+  connect(&finding_, &LatestOnlyWork::ended, this, &OpenImageDialog::show_found);
+  connect(&previewing_, &LatestOnlyWork::ended, this, &OpenImageDialog::show_preview);
   show_layout({});
   show_rows();
   begin_preview();
@@ -355,7 +355,7 @@ void OpenImageDialog::choose() {
 
 void OpenImageDialog::changed() {
   show_rows();
-  soon_.start(preview_after_ms);
+  debounce_.start(preview_after_ms);
 }
 
 void OpenImageDialog::show_rows() {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "gui/common/latest_work.hpp"
+#include "gui/common/latest_only_work.hpp"
 #include "raster/format/open_raster.hpp"
 #include "scene/model/scene.hpp"
 
@@ -92,11 +92,11 @@ class OpenImageDialog : public QDialog {
   QLabel* preview_ = nullptr;
   ProblemLine* problems_ = nullptr;
   QPushButton* open_ = nullptr;
-  QTimer soon_;
+  QTimer debounce_;
   std::shared_ptr<FoundOut> found_;
   std::shared_ptr<FilePreview> shown_;
-  LatestWork finding_;
-  LatestWork previewing_;
+  LatestOnlyWork finding_;
+  LatestOnlyWork previewing_;
 };
 
 }  // namespace sarsim::gui

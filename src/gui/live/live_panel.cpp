@@ -91,8 +91,8 @@ LivePanel::LivePanel(Session& session, ImageViewers& viewers, QWidget* parent)
   make_pictures();
   make_foot();
   picture_ = std::make_unique<picture::LivePicture>([this](const picture::LiveEvent& event) { take_event(event); });
-  soon_.setSingleShot(true);
-  connect(&soon_, &QTimer::timeout, this, &LivePanel::compute);
+  debounce_.setSingleShot(true);
+  connect(&debounce_, &QTimer::timeout, this, &LivePanel::compute);
   blink_.setInterval(blink_ms);
   connect(&blink_, &QTimer::timeout, this, [this] {
     before_is_seen_ = !before_is_seen_;
@@ -305,13 +305,13 @@ QString LivePanel::command() const {
 
 void LivePanel::compute_soon() {
   complete_ = false;
-  if (!soon_.isActive() && isVisible()) soon_.start(0);
+  if (!debounce_.isActive() && isVisible()) debounce_.start(0);
 }
 
 void LivePanel::compute() {
   if (!isVisible()) return;
   if (nothing_yet_ && !asked_.hasExpired(first_picture_ms)) {
-    soon_.start(std::max(1, first_picture_ms - static_cast<int>(asked_.elapsed())));
+    debounce_.start(std::max(1, first_picture_ms - static_cast<int>(asked_.elapsed())));
     return;
   }
   const picture::LiveRequest wanted = request();
@@ -350,9 +350,9 @@ void LivePanel::show_event() {
     event = std::move(*latest_);
     latest_.reset();
   }
-  const bool newest = event.request == request_ && !soon_.isActive();
+  const bool newest = event.request == request_ && !debounce_.isActive();
   if (event.request == request_) nothing_yet_ = false;
-  if (soon_.isActive()) soon_.start(0);
+  if (debounce_.isActive()) debounce_.start(0);
   // An image that came while the hand went on is shown all the same: it is the newest that there is.
   if (event.kind == picture::LiveEvent::Kind::failed) {
     if (!newest) return;
@@ -493,7 +493,7 @@ void LivePanel::resizeEvent(QResizeEvent* event) {
   pictures_->setDirection(width() > height() ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   if (isVisible()) {
     complete_ = false;
-    soon_.start(resized_ms);
+    debounce_.start(resized_ms);
   }
 }
 

@@ -127,7 +127,7 @@ class LivePanel : public QWidget {
   ReservedLabel* state_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QAction* open_ = nullptr;
-  QTimer soon_;
+  QTimer debounce_;
   QTimer blink_;
   bool before_is_seen_ = false;  // while blinking
   bool complete_ = false;

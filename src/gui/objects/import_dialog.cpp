@@ -154,10 +154,10 @@ void ImportDialog::make_widgets() {
     // A field that was only looked at is no reason to begin anew.
     if (file_->text().trimmed() != wanted_->path || read_ != nullptr) read_file();
   });
-  connect(&reading_, &LatestWork::progressed, this, [this](double fraction, double seconds_left) {
+  connect(&reading_, &LatestOnlyWork::progressed, this, [this](double fraction, double seconds_left) {
     summary_->setText(tr("Reading: %1").arg(share_with_time_left(fraction, seconds_left)));
   });
-  connect(&reading_, &LatestWork::ended, this, [this](bool good, const QString& failure) {
+  connect(&reading_, &LatestOnlyWork::ended, this, [this](bool good, const QString& failure) {
     read_ = wanted_;
     if (!good) read_->failure = failure;
     show_table();

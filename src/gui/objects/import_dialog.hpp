@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "gui/common/latest_work.hpp"
+#include "gui/common/latest_only_work.hpp"
 #include "gui/common/session.hpp"
 #include "scene/edit/import_targets.hpp"
 
@@ -44,7 +44,7 @@ class ImportDialog : public QDialog {
                         const core::StopFlag& stop, const BackgroundJob::Report& report);
 
   Session& session_;
-  LatestWork reading_;
+  LatestOnlyWork reading_;
   std::shared_ptr<Table> wanted_;  // what is chosen, while it is read
   std::shared_ptr<Table> read_;    // null: is not read yet
   QLineEdit* file_ = nullptr;

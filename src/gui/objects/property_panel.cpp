@@ -92,16 +92,16 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent) : QScrollArea(pa
   connect(&derived_timer_, &QTimer::timeout, this, &PropertyPanel::fill_derived);
   connect(&session_, &Session::scene_changed, this, &PropertyPanel::follow);
   connect(&session_, &Session::selection_changed, this, &PropertyPanel::refresh_soon);
-  soon_.setSingleShot(true);
-  connect(&soon_, &QTimer::timeout, this, [this] {
+  debounce_.setSingleShot(true);
+  connect(&debounce_, &QTimer::timeout, this, [this] {
     // All windows are painted first.
-    if (soon_.interval() == 0)
-      soon_.start(after_painting_ms);
+    if (debounce_.interval() == 0)
+      debounce_.start(after_painting_ms);
     else
       refresh();
   });
   connect(&session_, &Session::problems_changed, this, [this] {
-    if (committing_ || soon_.isActive()) return;
+    if (committing_ || debounce_.isActive()) return;
     fill_problems();
     arrange();
   });
@@ -136,15 +136,15 @@ PanelSubject PropertyPanel::wanted_subject() const {
 void PropertyPanel::refresh_soon() {
   constexpr std::size_t many = 20'000;
   if (session_.selection().size() < many) return refresh();
-  soon_.start(0);
+  debounce_.start(0);
 }
 
 // Whether the fields show objects that are no longer as they are shown, or gone.
-bool PropertyPanel::is_stale() const { return soon_.isActive() && !subject_.stands_in(session_.scene()); }
+bool PropertyPanel::is_stale() const { return debounce_.isActive() && !subject_.stands_in(session_.scene()); }
 
 void PropertyPanel::refresh() {
   if (committing_) return;
-  soon_.stop();
+  debounce_.stop();
   if (PanelSubject wanted = wanted_subject(); !wanted.same_objects(subject_)) {
     const std::uint64_t revision = session_.document().revision();
     commit_pending();
@@ -164,7 +164,7 @@ void PropertyPanel::refresh() {
 // Fields show their objects and names of others, and what the text says of them, which a change of the text alone may
 // concern; problems and figures depend on all of the scene.
 void PropertyPanel::follow(const scene::SceneChange& change) {
-  if (soon_.isActive()) return;
+  if (debounce_.isActive()) return;
   if (shows(change) || change.empty()) return refresh_soon();
   if (!committing_) fill_outlook();
 }

@@ -98,7 +98,7 @@ class PropertyPanel : public QScrollArea {
   QGroupBox* derived_box_ = nullptr;
   QTableWidget* derived_ = nullptr;
   QTimer derived_timer_;
-  QTimer soon_;  // many objects are selected, or have changed, which is not shown yet
+  QTimer debounce_;  // many objects are selected, or have changed, which is not shown yet
   bool committing_ = false;
 };
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 
 namespace sarsim::gui {
 
@@ -60,7 +60,7 @@ void ProductJob::stop() { job_.cancel(); }
 void ProductJob::work_through(const Work& work, const core::StopFlag& stop) {
   try {
     result_ = work(observer(stop));
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     refusals_ = refused.problems;
     throw;
   }

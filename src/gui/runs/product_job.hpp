@@ -26,7 +26,7 @@ class ProductJob : public QObject {
   Q_OBJECT
 
  public:
-  /// The work: throws Interrupted when the observer says stop, core::Refused, and what has words for people.
+  /// The work: throws Interrupted when the observer says stop, core::InvalidRequest, and what has words for people.
   using Work = std::function<ProductResult(const core::Observer& observer)>;
 
   explicit ProductJob(QObject* parent = nullptr);

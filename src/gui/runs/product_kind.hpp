@@ -18,7 +18,7 @@ struct ProductKind {
   const char* option_title;
   std::vector<const char*> values;             ///< Of that option, the usual one first.
   std::vector<workflow::Option> (*options)();  ///< All that the request takes.
-  /// The work of a request; throws core::Refused for words that mean nothing.
+  /// The work of a request; throws core::InvalidRequest for words that mean nothing.
   ProductJob::Work (*work)(const std::string& script, const workflow::GivenWords& words);
 };
 

@@ -20,7 +20,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/shell_word.hpp"
 #include "gui/common/named.hpp"
 #include "gui/common/problem_line.hpp"
@@ -54,7 +54,7 @@ QStringList words_of(const QString& line) {
   QStringList words;
   try {
     for (const std::string& word : workflow::words_of_line(line.toStdString())) words << QString::fromStdString(word);
-  } catch (const core::Refused&) {
+  } catch (const core::InvalidRequest&) {
     words << line;
   }
   return words;
@@ -220,7 +220,7 @@ void ProductWindow::show_command() {
   if (!busy()) state_->say(simulation_->count() > 0 ? QString() : tr("The scene has no stored simulation yet"));
 }
 
-// Throws core::Refused where an option is typed that there is not, or whose word it does not take.
+// Throws core::InvalidRequest where an option is typed that there is not, or whose word it does not take.
 workflow::GivenWords ProductWindow::given_words() const {
   static_cast<void>(workflow::words_of_line(more_->text().toStdString()));
   std::vector<std::string> words;
@@ -228,7 +228,7 @@ workflow::GivenWords ProductWindow::given_words() const {
   workflow::GivenWords given = workflow::given_words(kind().options(), words);
   const std::string out = folder_->filePath(QString(kind().command) + ".npy").toStdString();
   if (given.contains("--out"))
-    throw core::Refused("--out: the image goes to a viewer", "leave it out, and export the image there");
+    throw core::InvalidRequest("--out: the image goes to a viewer", "leave it out, and export the image there");
   given.emplace("--out", out);
   return given;
 }
@@ -257,7 +257,7 @@ void ProductWindow::make() {
   try {
     const workflow::GivenWords given = given_words();
     job_.start(kind().work(write_scene(), given));
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     fail(texts_of(refused.problems));
     return;
   } catch (const std::exception& failure) {

@@ -88,7 +88,7 @@ SaveDataDialog::SaveDataDialog(Session& session, const scene::Simulation& record
   add_help_button(*buttons_);
   connect(buttons_, &QDialogButtonBox::accepted, this, &SaveDataDialog::accept);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(&planning_, &LatestWork::ended, this, &SaveDataDialog::show_forecast);
+  connect(&planning_, &LatestOnlyWork::ended, this, &SaveDataDialog::show_forecast);
   show_lsb();
   refresh();
   resize(fontMetrics().averageCharWidth() * 72, sizeHint().height());

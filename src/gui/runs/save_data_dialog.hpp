@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "gui/common/latest_work.hpp"
+#include "gui/common/latest_only_work.hpp"
 #include "gui/common/session.hpp"
 #include "workflow/record/save_choice.hpp"
 
@@ -100,7 +100,7 @@ class SaveDataDialog : public QDialog {
   QDialogButtonBox* buttons_ = nullptr;
   bool sound_ = true;  // the present choice can be run, as far as is known
   std::shared_ptr<workflow::SaveForecast> forecast_;
-  LatestWork planning_;
+  LatestOnlyWork planning_;
 };
 
 }  // namespace sarsim::gui

@@ -95,9 +95,9 @@ GeometryWindow::~GeometryWindow() {
 }
 
 void GeometryWindow::connect_all() {
-  soon_.setSingleShot(true);
-  soon_.setInterval(recompute_ms);
-  connect(&soon_, &QTimer::timeout, this, &GeometryWindow::compute);
+  debounce_.setSingleShot(true);
+  debounce_.setInterval(recompute_ms);
+  connect(&debounce_, &QTimer::timeout, this, &GeometryWindow::compute);
   connect(model_, &GeometryModel::ready, this, &GeometryWindow::show_ready);
   connect(model_, &GeometryModel::failed, this, [this](const QString& text) {
     save_->setEnabled(false);
@@ -189,7 +189,7 @@ void GeometryWindow::add_fields(QWidget* page) {
   form->addRow(targets_problem_);
   connect(distance_, &QCheckBox::toggled, this, [this](bool on) {
     choice_.distance = on;
-    soon_.start();
+    debounce_.start();
   });
   connect(targets_, &QLineEdit::editingFinished, this, &GeometryWindow::take_targets);
 }
@@ -235,7 +235,7 @@ void GeometryWindow::take_entry(FieldEditor& editor, const QString& text) {
   }
   choice_.table = std::get<scene::GeometryTable>(object);
   editor.show_value(QString::fromStdString(scene::field_text(object, editor.field().id)));
-  soon_.start();
+  debounce_.start();
 }
 
 void GeometryWindow::take_targets() {
@@ -248,7 +248,7 @@ void GeometryWindow::take_targets() {
   if (targets_->isModified()) targets_typed_ = true;
   if (choice_.targets == read.indices) return;
   choice_.targets = read.indices;
-  soon_.start();
+  debounce_.start();
 }
 
 void GeometryWindow::show_fields() {
@@ -294,7 +294,7 @@ void GeometryWindow::follow_scene() {
   show_fields();
   refresh_stored();
   stale_ = true;
-  if (isVisible()) soon_.start();
+  if (isVisible()) debounce_.start();
 }
 
 void GeometryWindow::showEvent(QShowEvent* event) {
@@ -303,7 +303,7 @@ void GeometryWindow::showEvent(QShowEvent* event) {
 }
 
 void GeometryWindow::compute() {
-  soon_.stop();
+  debounce_.stop();
   stale_ = false;
   state_->setText(tr("Calculating …"));
   problems_->clear();

@@ -93,7 +93,7 @@ class GeometryWindow : public QWidget {
   QPushButton* save_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QProgressBar* bar_ = nullptr;
-  QTimer soon_;
+  QTimer debounce_;
   bool targets_typed_ = false;
   bool stale_ = true;
   std::filesystem::path saving_to_;

@@ -36,8 +36,8 @@ SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setContextMenuPolicy(Qt::PreventContextMenu);  // A right drag zooms: menus open when the button goes up.
   setAttribute(Qt::WA_OpaquePaintEvent);
-  soon_.setSingleShot(true);
-  connect(&soon_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+  debounce_.setSingleShot(true);
+  connect(&debounce_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
   hand_words_ = new QLabel(this);
   hand_words_->setObjectName(QStringLiteral("hand_words"));
   hand_words_->setAccessibleName(tr("Where what is dragged is"));
@@ -153,8 +153,8 @@ void SceneWidget::redraw() {
   drawn_ = false;
   if (press_.gesture != Gesture::none || snapshot_.targets.size() < many_targets)
     update();
-  else if (!soon_.isActive())
-    soon_.start();
+  else if (!debounce_.isActive())
+    debounce_.start();
 }
 
 void SceneWidget::refresh_drawing(bool dragging) {

@@ -230,7 +230,7 @@ class SceneWidget : public QWidget {
   bool snap_ = false;
   QLabel* hand_words_ = nullptr;
   picture::Drawing drawing_;
-  QTimer soon_;                  // begins to paint
+  QTimer debounce_;              // begins to paint
   bool drawn_ = false;           // `drawing_` shows the present state
   bool drawn_dragging_ = false;  // ... as it is while the hand moves, with less detail
   ScenePainter painter_;

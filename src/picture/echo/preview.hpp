@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/report/problem.hpp"
-#include "core/task/latest_request.hpp"
+#include "core/task/latest_only_worker.hpp"
 #include "picture/echo/echo_matrix.hpp"
 #include "picture/echo/echo_window.hpp"
 #include "scene/model/scene.hpp"
@@ -50,7 +50,7 @@ struct PreviewEvent {
 /// new request ends the one before. What was prepared for a scene serves the next request for the same scene.
 class Preview {
  public:
-  /// Called on the threads that compute, from one at a time, by the rules of core::LatestRequest::tell.
+  /// Called on the threads that compute, from one at a time, by the rules of core::LatestOnlyWorker::tell.
   using Listener = std::function<void(const PreviewEvent&)>;
 
   /// @param threads  0: one for each core
@@ -79,7 +79,7 @@ class Preview {
   unsigned threads_;
   std::shared_ptr<const Prepared> prepared_;  // used by the thread of the requests alone
   std::shared_ptr<SampleRoom> room_ = std::make_shared<SampleRoom>();
-  core::LatestRequest<PreviewRequest> requests_;  // last: its thread uses everything above
+  core::LatestOnlyWorker<PreviewRequest> requests_;  // last: its thread uses everything above
 };
 
 /// What `Preview` does before its first row, for those who want the plan: the scene's problems that stop it, or the

@@ -50,7 +50,7 @@ void add_detector(report::Facts& facts, const workflow::PulseReport& made) {
 }
 
 std::vector<std::string> finding_row(const workflow::TargetFinding& finding, bool doppler) {
-  const workflow::TargetSight& sight = finding.sight;
+  const workflow::TargetVisibility& sight = finding.sight;
   std::vector<std::string> row{fmt::format("{}", finding.target + 1)};
   if (!sight.in_window) {
     row.emplace_back("not in the window");

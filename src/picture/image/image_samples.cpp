@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/maths/constants.hpp"
-#include "core/maths/finer.hpp"
-#include "core/report/refused.hpp"
+#include "core/maths/upsample.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/table/sample_gate.hpp"
 
 namespace sarsim::picture {
@@ -24,8 +24,8 @@ void expect_usable(const raster::Raster& source, std::span<const std::complex<do
   const auto bad = std::ranges::find_if_not(samples, raster::is_usable_sample);
   if (bad == samples.end()) return;
   const auto at = static_cast<std::size_t>(bad - samples.begin());
-  throw core::Refused({raster::unusable_sample(source.info().path.string(), window.row(at / window.cols),
-                                               window.column(at % window.cols), *bad)});
+  throw core::InvalidRequest({raster::unusable_sample(source.info().path.string(), window.row(at / window.cols),
+                                                      window.column(at % window.cols), *bad)});
 }
 
 // Reads rows and columns of a part; outlives what it is made from.
@@ -71,11 +71,11 @@ FineLine fine_line(const raster::Raster& source, const raster::FocusedPlaces& fo
   const std::vector<std::complex<double>> samples(read.begin(), read.end());
   expect_usable(source, samples, window);
   FineLine line;
-  line.value = core::finer(samples, centre * places.step, finer_by);
+  line.value = core::upsample(samples, centre * places.step, upsampled_by);
   // Behind the last sample the line would lead back to the first.
-  line.value.resize((count - 1) * finer_by + 1);
+  line.value.resize((count - 1) * upsampled_by + 1);
   for (std::size_t i = 0; i < line.value.size(); ++i)
-    line.place.push_back(places.first + places.step * static_cast<double>(i) / static_cast<double>(finer_by));
+    line.place.push_back(places.first + places.step * static_cast<double>(i) / static_cast<double>(upsampled_by));
   return line;
 }
 

@@ -49,15 +49,15 @@ struct ImageSamples {
 
 /// Cuts the places of all rows and columns of the file to those of the part and lets its samples be read: in volts,
 /// or in counts where no LSB is known. The samples keep the file open; reading one that cannot be computed with
-/// (`raster::is_usable_sample`) throws core::Refused.
+/// (`raster::is_usable_sample`) throws core::InvalidRequest.
 /// @param stop  asked while blocks are read
 void begin_reading(ImageSamples& part, const core::StopFlag* stop);
 
 /// An image has a sample or two for each width of a point: a cut shows so many for each of them.
-inline constexpr std::size_t finer_by = 16;
+inline constexpr std::size_t upsampled_by = 16;
 
-/// Gives a cut through a focused complex image what lies between its samples: places `finer_by` times as close along
-/// it, inside the part, and their values, which follow from the image's spectrum.
+/// Gives a cut through a focused complex image what lies between its samples: places `upsampled_by` times as close
+/// along it, inside the part, and their values, which follow from the image's spectrum.
 /// @param along_range  along rows; otherwise along columns
 void make_finer(ImageSamples& part, bool along_range, const core::StopFlag* stop);
 

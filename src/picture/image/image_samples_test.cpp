@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/format/custom_raw.hpp"
 #include "raster/format/envi.hpp"
 
@@ -62,11 +62,12 @@ TEST_F(ImageSamplesTest, OfAFinerCutPassThroughThoseOfTheFile) {
   ASSERT_TRUE(part_.source);
   begin_reading(part_, nullptr);
   make_finer(part_, true, nullptr);
-  ASSERT_EQ(part_.samples.column_place.size(), 6 * finer_by + 1);
+  ASSERT_EQ(part_.samples.column_place.size(), 6 * upsampled_by + 1);
   const EchoBlock block = part_.samples.read({0, 1}, {0, part_.samples.column_place.size()});
   for (std::size_t c = 0; c < 7; ++c) {
-    EXPECT_EQ(block.range_m[c * finer_by], 102.0 + 2.0 * static_cast<double>(c));
-    EXPECT_LT(std::abs(block.samples[c * finer_by] - std::complex<double>(2.0, static_cast<double>(c) + 1.0)), 1e-5);
+    EXPECT_EQ(block.range_m[c * upsampled_by], 102.0 + 2.0 * static_cast<double>(c));
+    EXPECT_LT(std::abs(block.samples[c * upsampled_by] - std::complex<double>(2.0, static_cast<double>(c) + 1.0)),
+              1e-5);
   }
 }
 
@@ -80,7 +81,7 @@ TEST_F(ImageSamplesTest, RefusesASampleThatCannotBeComputedWith) {
   const auto refusal = [](const auto& read) {
     try {
       static_cast<void>(read());
-    } catch (const core::Refused& refused) {
+    } catch (const core::InvalidRequest& refused) {
       return refused.problems.at(0).message;
     }
     return std::string();

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/clock.hpp"
-#include "picture/live/held_echoes.hpp"
+#include "picture/live/incremental_echoes.hpp"
 #include "picture/live/live_workflows.hpp"
 #include "simulate/resolve/resolved.hpp"
 #include "workflow/focus/focus.hpp"
@@ -49,13 +49,13 @@ LiveImage pixels_of(const workflow::FocusReport& report, std::size_t pulses, con
 // An image, and what it came of.
 struct FocusedPixels {
   LiveImage image;
-  workflow::FocusWork begun;
-  workflow::FocusWork ended;
+  workflow::FocusPipeline begun;
+  workflow::FocusPipeline ended;
   signal::FocusedImage axes;
 };
 
 // The image of what was begun, without remarks.
-FocusedPixels focused(workflow::FocusWork begun, const Making& making) {
+FocusedPixels focused(workflow::FocusPipeline begun, const Making& making) {
   const std::size_t pulses = begun.input.echoes.rows;
   core::Observer observer;
   observer.stop = making.control.stop;
@@ -81,8 +81,8 @@ void add_targets(FocusedPixels& pixels, const Making& making) {
     pixels.image.targets.push_back({target.place.range_m, target.place.azimuth_m});
 }
 
-workflow::FocusWork begun(workflow::FocusInput input, const LiveOptions& options, const Making& making) {
-  workflow::FocusWork work =
+workflow::FocusPipeline begun(workflow::FocusInput input, const LiveOptions& options, const Making& making) {
+  workflow::FocusPipeline work =
       workflow::begin_focus(std::move(input), focus_request_of(options, making.control.threads), making.control);
   work.place.reset();  // Of files alone.
   return work;
@@ -97,7 +97,7 @@ void tell_coarse(LiveImage image, std::string why, const Making& making) {
 // A look at some of many targets, where all of them have to be computed.
 void tell_some_targets(const Making& making) {
   const scene::Scene& scene = *making.request.scene;
-  HeldEchoes some;
+  IncrementalEchoes some;
   some.follow(std::make_shared<const scene::Scene>(thinned_targets(scene, making.request.simulation, coarse_targets)),
               0, making.control);
   LiveImage image = focused(begun(some.input(), making.request.options, making), making).image;
@@ -112,7 +112,7 @@ bool takes_long(const workflow::FocusInput& input, const LiveOptions& options) {
          samples * static_cast<double>(input.echoes.rows) > quick_projections;
 }
 
-LiveImage pixels_of(const workflow::KeptImage& kept, const core::Problems& problems, std::string made,
+LiveImage pixels_of(const workflow::InMemoryImage& kept, const core::Problems& problems, std::string made,
                     const Making& making) {
   LiveImage image =
       live_image(kept.rows, workflow::places_of(kept.content.header, "the image"), making.request.size, making.control);
@@ -126,7 +126,7 @@ LiveImage make_profiles(const Making& making, const core::Observer& observer) {
   request.keep = true;
   request.threads = making.control.threads;
   const workflow::ProfilesReport report = workflow::profiles(request, observer);
-  if (!report.kept) throw core::Refused("no profile was made");
+  if (!report.kept) throw core::InvalidRequest("no profile was made");
   return pixels_of(*report.kept, report.problems, fmt::format("{} bursts", report.bursts), making);
 }
 
@@ -136,7 +136,7 @@ LiveImage make_isar(const Making& making, const core::Observer& observer) {
   request.threads = making.control.threads;
   const auto made = [&] {
     const workflow::IsarReport report = workflow::isar(request, observer);
-    if (report.images.empty() || !report.images.front().kept) throw core::Refused("no image was made");
+    if (report.images.empty() || !report.images.front().kept) throw core::InvalidRequest("no image was made");
     LiveImage image = pixels_of(*report.images.front().kept, report.problems,
                                 fmt::format("{} bursts", report.images.front().bursts), making);
     image.product = LiveProduct::isar;
@@ -155,7 +155,7 @@ LiveImage make_doppler(const Making& making, const core::Observer& observer) {
   request.keep = true;
   request.threads = making.control.threads;
   const workflow::DopplerReport report = workflow::doppler(request, observer);
-  if (!report.kept) throw core::Refused("no map was made");
+  if (!report.kept) throw core::InvalidRequest("no map was made");
   return pixels_of(*report.kept, report.problems, fmt::format("{} pulses", report.options.pulses), making);
 }
 
@@ -164,7 +164,7 @@ LiveImage make_ppi(const Making& making, const core::Observer& observer) {
   request.keep = true;
   request.threads = making.control.threads;
   const workflow::SearchReport report = workflow::search(request, observer);
-  if (!report.kept) throw core::Refused("no picture was made");
+  if (!report.kept) throw core::InvalidRequest("no picture was made");
   return pixels_of(*report.kept, report.problems, fmt::format("{} intervals", report.intervals), making);
 }
 
@@ -172,14 +172,14 @@ LiveImage make_ppi(const Making& making, const core::Observer& observer) {
 
 // What is kept from one focused image to the next.
 struct LiveEngine::Focusing {
-  HeldEchoes held;
-  std::optional<workflow::FocusWork> last;  // as it was begun, for
+  IncrementalEchoes held;
+  std::optional<workflow::FocusPipeline> last;  // as it was begun, for
   LiveOptions options;
 
   // The grid of the image and the Doppler centroid before a small change serve for a first look behind it.
   void tell_quickly(const Making& making) {
     if (!held.plan_is_old() || !last || options != making.request.options || takes_long(last->input, options)) return;
-    workflow::FocusWork work = *last;
+    workflow::FocusPipeline work = *last;
     work.input.echoes.copy = held.input().echoes.copy;
     tell_coarse(focused(std::move(work), making).image, "grid as before the change", making);
   }
@@ -204,7 +204,7 @@ struct LiveEngine::Focusing {
     making.coarse(pixels.image);
     if (request.options.targets) add_targets(pixels, making);
     std::ranges::move(
-        workflow::remarks_on_image(std::move(pixels.begun), std::move(pixels.ended), pixels.axes, making.control),
+        workflow::diagnose_image(std::move(pixels.begun), std::move(pixels.ended), pixels.axes, making.control),
         std::back_inserter(pixels.image.problems));
     return std::move(pixels.image);
   }
@@ -217,7 +217,7 @@ LiveEngine::~LiveEngine() = default;
 LiveImage LiveEngine::make(const LiveRequest& request, const core::StopFlag& stop, const Coarse& coarse) {
   const double begin_s = core::now_s();
   if (!request.scene || request.simulation >= request.scene->simulations.size())
-    throw core::Refused("the scene stores no recording", "make one under Previously Stored, with New");
+    throw core::InvalidRequest("the scene stores no recording", "make one under Previously Stored, with New");
   const Coarse timed = [&](LiveImage image) {
     image.cost.seconds = core::now_s() - begin_s;
     if (coarse) coarse(std::move(image));

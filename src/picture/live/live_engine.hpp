@@ -28,7 +28,7 @@ class LiveEngine {
 
   /// The image of a request. Focused images are those of `workflow::focus`, the others those of their commands, reduced
   /// to pixels.
-  /// @throws core::Refused where the scene or the recording does not allow it, with why; core::Interrupted
+  /// @throws core::InvalidRequest where the scene or the recording does not allow it, with why; core::Interrupted
   [[nodiscard]] LiveImage make(const LiveRequest& request, const core::StopFlag& stop, const Coarse& coarse);
 
  private:

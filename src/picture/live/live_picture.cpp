@@ -3,7 +3,7 @@
 #include <exception>
 #include <utility>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/parallel.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 
@@ -28,7 +28,7 @@ void LivePicture::compute(const LiveRequest& request, std::uint64_t number, cons
     tell({LiveEvent::Kind::finished, number, std::make_shared<const LiveImage>(std::move(image)), {}}, stop);
   } catch (const core::Interrupted&) {
     return;
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     fail(refused.problems);
   } catch (const simulate::ImpossibleEcho& echo) {
     fail({echo.problem});

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/report/problem.hpp"
-#include "core/task/latest_request.hpp"
+#include "core/task/latest_only_worker.hpp"
 #include "picture/live/live_engine.hpp"
 #include "picture/live/live_image.hpp"
 
@@ -30,7 +30,7 @@ struct LiveEvent {
 /// one serves the next: of targets that did not change, no echo is computed again.
 class LivePicture {
  public:
-  /// Called on the thread that computes, by the rules of core::LatestRequest::tell.
+  /// Called on the thread that computes, by the rules of core::LatestOnlyWorker::tell.
   using Listener = std::function<void(const LiveEvent&)>;
 
   /// @param threads  0: one for each core
@@ -48,8 +48,8 @@ class LivePicture {
   void tell(const LiveEvent& event, const core::StopFlag& stop);
 
   Listener listener_;
-  LiveEngine engine_;                          // used by the thread of the requests alone
-  core::LatestRequest<LiveRequest> requests_;  // last: its thread uses everything above
+  LiveEngine engine_;                             // used by the thread of the requests alone
+  core::LatestOnlyWorker<LiveRequest> requests_;  // last: its thread uses everything above
 };
 
 }  // namespace sarsim::picture

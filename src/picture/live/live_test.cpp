@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "support/folders.hpp"
 #include "workflow/focus/focus.hpp"
 #include "workflow/image/placed_image.hpp"
@@ -29,7 +29,7 @@ constexpr PlotSize window{300, 240};
 std::string example_path(const std::string& name) { return (test::source_folder() / "examples" / name).string(); }
 
 scene::Scene example(const std::string& name) {
-  return workflow::read_scene(example_path(name), {}, workflow::Scrutiny::values).scene;
+  return workflow::read_scene(example_path(name), {}, workflow::CheckLevel::values).scene;
 }
 
 std::shared_ptr<const scene::Scene> shared(scene::Scene scene) {
@@ -147,7 +147,7 @@ TEST(LiveEngineTest, FocusedImageIsThatOfFocus) {
   request.memory_bytes = 0;
   const workflow::FocusReport report = workflow::focus(request, {});
   const LiveImage expected =
-      live_image(report.image, workflow::places_of(workflow::kept_image(report).content.header, ""), window, {});
+      live_image(report.image, workflow::places_of(workflow::in_memory_image(report).content.header, ""), window, {});
   EXPECT_LT(difference(expected, image), 1e-6);
   EXPECT_EQ(peaks(image), 24U);
 }
@@ -343,10 +343,10 @@ TEST(LiveEngineTest, ManyTargetsAreLookedAtCoarselyFirst) {
 TEST(LiveEngineTest, RefusesWithReasons) {
   scene::Scene scene = example("sar_r.toml");
   scene.radars.clear();
-  EXPECT_THROW(static_cast<void>(made(scene)), core::Refused);
+  EXPECT_THROW(static_cast<void>(made(scene)), core::InvalidRequest);
   scene = example("sar_r.toml");
   scene.simulations.clear();
-  EXPECT_THROW(static_cast<void>(made(scene)), core::Refused);
+  EXPECT_THROW(static_cast<void>(made(scene)), core::InvalidRequest);
 }
 
 TEST(LivePictureTest, ReportsTheNewestRequestAlone) {

@@ -65,7 +65,7 @@ std::array<double, 2> span_of(const scene::Scene& scene) {
   for (const scene::Platform& platform : scene.platforms) {
     if (platform.path == scene::Platform::Path::trajectory) span.add(platform.trajectory_m);
     if (platform.path == scene::Platform::Path::legs || platform.path == scene::Platform::Path::waypoints) {
-      const radar::PathMade route = scene::route_of(platform);
+      const radar::PathResult route = scene::route_of(platform);
       span.add(route.path.start_s());
       span.add(route.path.start_s() + route.path.duration_s());
     }

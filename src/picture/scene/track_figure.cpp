@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "picture/figure/figure_axes.hpp"
 #include "picture/scene/half_power.hpp"
 #include "picture/scene/scene_map.hpp"
@@ -233,8 +233,8 @@ Figure footprint_figure(const scene::Scene& scene, const simulate::ResolvedScene
                         const radar::TimeSpan& times) {
   const simulate::Link seen = simulate::resolve_radar(scene, resolved, radar);
   if (seen.transmit.kind == radar::AntennaPattern::Kind::isotropic)
-    throw core::Refused(fmt::format("the antenna of {} is isotropic and has no footprint", seen.name),
-                        "give it a pattern");
+    throw core::InvalidRequest(fmt::format("the antenna of {} is isotropic and has no footprint", seen.name),
+                               "give it a pattern");
   const std::vector<core::Vec3> targets_m =
       simulate::target_places_m(resolved, middle_of(times), resolved.scatterers.targets());
   const SceneMap map(scene.world, resting_targets_m(resolved, targets_m));
@@ -252,8 +252,8 @@ Figure footprint_figure(const scene::Scene& scene, const simulate::ResolvedScene
     if (has_any(outline)) panel.curves.push_back(std::move(outline));
   }
   if (panel.curves.empty())
-    throw core::Refused(fmt::format("the beam of {} does not meet {}", seen.name, map.ground_words()),
-                        "turn it down, or choose other times with --time");
+    throw core::InvalidRequest(fmt::format("the beam of {} does not meet {}", seen.name, map.ground_words()),
+                               "turn it down, or choose other times with --time");
   panel.curves.push_back(spots_of(beam, "middle of the beam", Role::curve_3, times));
   mark_targets(panel, map, targets_m);
   fit_map(panel, 0.025, 0.5 * half_height_line);

@@ -24,7 +24,7 @@ namespace sarsim::picture {
 /// the middle of the beam, one way, at nine times from the first to the last, with the way of the beam's middle and the
 /// targets. Parts of an outline that miss the ground are left out.
 /// @param times  first before last
-/// @throws core::Refused for antennas without a lobe, and where no outline meets the ground
+/// @throws core::InvalidRequest for antennas without a lobe, and where no outline meets the ground
 [[nodiscard]] Figure footprint_figure(const scene::Scene& scene, const simulate::ResolvedScene& resolved,
                                       std::size_t radar, const radar::TimeSpan& times);
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/maths/constants.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 
 namespace sarsim::picture {
 namespace track_figure_test {
@@ -100,10 +100,10 @@ TEST(FootprintFigure, IsAsWideAsTheBeamAtHalfItsPower) {
 TEST(FootprintFigure, NeedsALobeOnTheGround) {
   scene::Scene scene = flight();
   scene.radars[0].beam_elevation = core::Angle::from_deg(40.0);
-  EXPECT_THROW((void)footprint_figure(scene, simulate::resolve(scene), 0, {0.0, 10.0}), core::Refused);
+  EXPECT_THROW((void)footprint_figure(scene, simulate::resolve(scene), 0, {0.0, 10.0}), core::InvalidRequest);
   scene = flight();
   scene.radars[0].transmit_antenna.pattern = scene::Antenna::Pattern::isotropic;
-  EXPECT_THROW((void)footprint_figure(scene, simulate::resolve(scene), 0, {0.0, 10.0}), core::Refused);
+  EXPECT_THROW((void)footprint_figure(scene, simulate::resolve(scene), 0, {0.0, 10.0}), core::InvalidRequest);
 }
 
 TEST(ShownTimes, AreThoseOfRecordingsOrOfPaths) {

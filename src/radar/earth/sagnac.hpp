@@ -32,10 +32,10 @@ struct TurningAxes {
 /// larger speed: 1.3e-6 m of the 0.67 m to a satellite in low orbit, and nearly the same for all points of a scene.
 /// `turning_way_m` has it.
 /// @param carried_from_mps  `carried_mps` of A; that of B, or of any point of the line through A and B, gives the same
-/// @param look_m            B - A
-[[nodiscard]] constexpr double sagnac_m(const core::Vec3& carried_from_mps, const core::Vec3& look_m,
+/// @param line_of_sight_m            B - A
+[[nodiscard]] constexpr double sagnac_m(const core::Vec3& carried_from_mps, const core::Vec3& line_of_sight_m,
                                         double light_speed_mps) {
-  return core::dot(carried_from_mps, look_m) / light_speed_mps;
+  return core::dot(carried_from_mps, line_of_sight_m) / light_speed_mps;
 }
 
 /// The same from the two points.
@@ -52,12 +52,12 @@ struct TurningAxes {
 /// satellite in low orbit, 2e-10 m to a geostationary one. Rounding: 3e-16 of the way.
 /// @param carried_from_mps  `carried_mps` of A
 /// @param carried_to_mps    `carried_mps` of B
-/// @param look_m            B - A
+/// @param line_of_sight_m            B - A
 [[nodiscard]] inline double turning_way_m(const core::Vec3& carried_from_mps, const core::Vec3& carried_to_mps,
-                                          const core::Vec3& look_m, double light_speed_mps) {
-  const double g = sagnac_m(carried_from_mps, look_m, light_speed_mps);
+                                          const core::Vec3& line_of_sight_m, double light_speed_mps) {
+  const double g = sagnac_m(carried_from_mps, line_of_sight_m, light_speed_mps);
   const double still = 1.0 - core::dot(carried_from_mps, carried_to_mps) / (light_speed_mps * light_speed_mps);
-  return (g + std::sqrt(g * g + core::dot(look_m, look_m) * still)) / still;
+  return (g + std::sqrt(g * g + core::dot(line_of_sight_m, line_of_sight_m) * still)) / still;
 }
 
 /// The same from the two points.

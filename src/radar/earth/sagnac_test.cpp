@@ -144,10 +144,10 @@ TEST(Sagnac, LeavesOutTheSecondOrderItStates) {
   double most = 0.0;
   for (int i = 0; i < 2'000; ++i) {
     const auto [above_m, below_m] = random_way(random, 100.0, 1.2e6);
-    const Vec3 look_m = below_m - above_m;
-    const double d = core::norm(look_m);
+    const Vec3 line_of_sight_m = below_m - above_m;
+    const double d = core::norm(line_of_sight_m);
     const Vec3 va = carried_mps(earth, above_m), vb = carried_mps(earth, below_m);
-    const double g = sagnac_m(va, look_m, c);
+    const double g = sagnac_m(va, line_of_sight_m, c);
     const long double exact_m =
         inertial_way_m({above_m, {}}, {below_m, {}}) - length(extended(below_m) - extended(above_m));
     const double left_out_m = static_cast<double>(exact_m) - g;

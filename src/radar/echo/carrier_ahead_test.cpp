@@ -35,7 +35,7 @@ struct Case {
   [[nodiscard]] EchoBatch batch() const {
     EchoBatch batch;
     for (const Echo& echo : echoes) {
-      if (echo.clock.bend_per_s == 0.0)
+      if (echo.clock.dilation_rate == 0.0)
         batch.add(echo.group_s, echo.amplitude, echo.clock.doppler);
       else
         batch.add(echo.group_s, echo.amplitude, echo.clock);
@@ -61,7 +61,7 @@ Case random_case(std::mt19937_64& random, const SampleGrid& grid, int count, Fli
     echo.phase_s = echo.group_s - 2.0 * late_s;
     echo.amplitude = unit(random);
     if (flight != Flight::at_rest) echo.clock.doppler = 2.0 * 5000.0 / c * unit(random);
-    if (flight == Flight::bent) echo.clock.bend_per_s = 30.0 * unit(random);
+    if (flight == Flight::bent) echo.clock.dilation_rate = 30.0 * unit(random);
     drawn.echoes.push_back(echo);
   }
   return drawn;
@@ -74,7 +74,7 @@ ComplexRow closed_form(const EchoPulse& pulse, const SampleGrid& grid, const Cas
   for (const Echo& echo : wanted.echoes)
     for (std::size_t i = 0; i < grid.count; ++i) {
       const double u = grid.time_s(i) - echo.group_s + pulse.lead_s - 0.5 * width_s;
-      const double late = (echo.clock.doppler + 0.5 * echo.clock.bend_per_s * u) * u;
+      const double late = (echo.clock.doppler + 0.5 * echo.clock.dilation_rate * u) * u;
       const double e = u - late;
       std::complex<double> value;
       if (pulse.band_limited)

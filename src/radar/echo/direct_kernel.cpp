@@ -78,9 +78,9 @@ SampleSpan DirectKernel::add(std::span<std::complex<double>> row, double carrier
 // A chirp that is stretched unevenly is no longer a quadratic phase: K a u^3/2 turns are left, largest at its ends. A
 // table that has the sweep in it is read at the right times.
 bool DirectKernel::is_beyond_tones(const EchoBatch& echoes) const {
-  if (echoes.bend_per_s.empty() || pulse_->doppler_rule != DopplerRule::stretch) return false;
+  if (echoes.dilation_rate.empty() || pulse_->doppler_rule != DopplerRule::stretch) return false;
   double largest = 0.0;
-  for (const double bend : echoes.bend_per_s) largest = std::max(largest, std::abs(bend));
+  for (const double bend : echoes.dilation_rate) largest = std::max(largest, std::abs(bend));
   const double half_s = 0.5 * pulse_->pulse.width_s;
   return core::pi * std::abs(sweep_rate_hz_per_s_) * largest * half_s * half_s * half_s > 0.1 * tolerance_;
 }
@@ -159,10 +159,10 @@ void DirectKernel::append_tones(const Source& source, const SampleSpan& on, std:
 // S (1 - D)^2 is left of the sweep, and K D by the rule of the thesis.
 Tone DirectKernel::tone_at(const Source& source, std::size_t block) const {
   const double dt = grid_.interval_s;
-  const double doppler_rate =
-      pulse_->doppler_rule == DopplerRule::stretch
-          ? source.carrier_hz * source.clock.bend_per_s + sweep_rate_hz_per_s_ * source.doppler * (2.0 - source.doppler)
-          : source.doppler * pulse_->pulse.sweep_rate_hz_per_s();
+  const double doppler_rate = pulse_->doppler_rule == DopplerRule::stretch
+                                  ? source.carrier_hz * source.clock.dilation_rate +
+                                        sweep_rate_hz_per_s_ * source.doppler * (2.0 - source.doppler)
+                                  : source.doppler * pulse_->pulse.sweep_rate_hz_per_s();
   const double doppler_hz = source.doppler * source.carrier_hz;
   const double sweep_rate = sweep_rate_hz_per_s_ - doppler_rate;
   Tone tone;

@@ -14,7 +14,7 @@ struct EchoBatch {
   core::AlignedVector<double>
       amplitude_sqrt_w;  ///< Square root of the received power; negative where a pattern's side lobe turns the phase.
   core::AlignedVector<double> doppler;  ///< D, the share by which the echo is longer than the pulse: positive receding.
-  core::AlignedVector<double> bend_per_s;  ///< a, what D changes by in a second; empty where that does not count.
+  core::AlignedVector<double> dilation_rate;  ///< a, what D changes by in a second; empty where that does not count.
   /// phi, the turns by which the carrier is ahead of exp(-j 2 pi f tau): the phase path through electrons is shorter
   /// than that of the pulse. Empty where all are 0.
   core::AlignedVector<double> ahead_turns;
@@ -26,7 +26,7 @@ struct EchoBatch {
     delay_s.resize(count);
     amplitude_sqrt_w.resize(count);
     doppler.resize(count);
-    bend_per_s.resize(bends ? count : 0);
+    dilation_rate.resize(bends ? count : 0);
     ahead_turns.resize(ahead ? count : 0);
   }
   /// Adds an echo: seconds, root of watts, D. The others must have no bends.
@@ -38,11 +38,13 @@ struct EchoBatch {
   /// Adds an echo with its bend; the others must have theirs.
   void add(double delay, double amplitude, const PulseClock& clock) {
     add(delay, amplitude, clock.doppler);
-    bend_per_s.push_back(clock.bend_per_s);
+    dilation_rate.push_back(clock.dilation_rate);
   }
   [[nodiscard]] std::size_t size() const { return delay_s.size(); }
   /// How echo k is stretched.
-  [[nodiscard]] PulseClock clock(std::size_t k) const { return {doppler[k], bend_per_s.empty() ? 0.0 : bend_per_s[k]}; }
+  [[nodiscard]] PulseClock clock(std::size_t k) const {
+    return {doppler[k], dilation_rate.empty() ? 0.0 : dilation_rate[k]};
+  }
   /// By how many turns the carrier of echo k is ahead.
   [[nodiscard]] double ahead(std::size_t k) const { return ahead_turns.empty() ? 0.0 : ahead_turns[k]; }
   /// By how many turns a carrier of f is late at the delay of echo k: f tau - phi.
@@ -50,7 +52,8 @@ struct EchoBatch {
   /// Whether all columns have the same length.
   [[nodiscard]] bool is_whole() const {
     return amplitude_sqrt_w.size() == size() && doppler.size() == size() &&
-           (bend_per_s.empty() || bend_per_s.size() == size()) && (ahead_turns.empty() || ahead_turns.size() == size());
+           (dilation_rate.empty() || dilation_rate.size() == size()) &&
+           (ahead_turns.empty() || ahead_turns.size() == size());
   }
 };
 

@@ -40,9 +40,9 @@ inline EchoPulse band_limited_test_pulse(double samples, double sweep) {
 inline SampleGrid test_grid(std::size_t count) { return {20e-6, test_interval_s, count}; }
 
 /// Random echoes with leading edges up to `before` samples before the row and inside it, up to `speed_mps` fast,
-/// with D = 2 v/c and bends up to `bend_per_s`.
+/// with D = 2 v/c and bends up to `dilation_rate`.
 inline EchoBatch random_echoes(int echo_count, const SampleGrid& grid, double before, double speed_mps,
-                               unsigned seed = 5, double bend_per_s = 0.0) {
+                               unsigned seed = 5, double dilation_rate = 0.0) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> position(-before, static_cast<double>(grid.count)), unit(-1.0, 1.0);
   EchoBatch batch;
@@ -50,10 +50,10 @@ inline EchoBatch random_echoes(int echo_count, const SampleGrid& grid, double be
     const double delay_s = grid.first_s + position(random) * grid.interval_s;
     const double amplitude = unit(random);
     const double doppler = 2.0 / core::exact_light_speed_mps * speed_mps * unit(random);
-    if (bend_per_s == 0.0)
+    if (dilation_rate == 0.0)
       batch.add(delay_s, amplitude, doppler);
     else
-      batch.add(delay_s, amplitude, PulseClock{doppler, bend_per_s * unit(random)});
+      batch.add(delay_s, amplitude, PulseClock{doppler, dilation_rate * unit(random)});
   }
   return batch;
 }

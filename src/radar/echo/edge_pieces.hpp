@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "radar/echo/gridding.hpp"
 #include "radar/echo/pulse_body.hpp"
-#include "radar/echo/spreading.hpp"
 
 namespace sarsim::radar {
 

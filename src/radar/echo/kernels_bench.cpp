@@ -14,9 +14,9 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/random.hpp"
 #include "radar/echo/direct_kernel.hpp"
-#include "radar/echo/sight.hpp"
 #include "radar/echo/spectral_kernel.hpp"
 #include "radar/echo/strengths.hpp"
+#include "radar/echo/view_geometry.hpp"
 
 namespace sarsim::radar {
 namespace {
@@ -293,7 +293,7 @@ BENCHMARK_TEMPLATE(gather, float);
 BENCHMARK_TEMPLATE(gather, double);
 
 using Law = PointArrays::Law;
-using Offsets = AntennaSight::Offsets;
+using Offsets = AntennaView::Offsets;
 
 core::Interpolator curve_of(core::Interpolation method) {
   core::SampledFunction function{method, {}};
@@ -344,25 +344,25 @@ PointArrays random_points_with_jitter(std::size_t count, Law law) {
   return points;
 }
 
-AntennaSight sinx_antenna(Offsets offsets = Offsets::antenna_frame) {
-  AntennaSight antenna;
+AntennaView sinx_antenna(Offsets offsets = Offsets::antenna_frame) {
+  AntennaView antenna;
   antenna.offsets = offsets;
   antenna.roots = offsets == Offsets::world_angles;
   antenna.cut.fill(2.5);
   return antenna;
 }
 
-AntennaSight user_antenna(core::Interpolation method, Offsets offsets = Offsets::antenna_frame) {
-  AntennaSight antenna;
+AntennaView user_antenna(core::Interpolation method, Offsets offsets = Offsets::antenna_frame) {
+  AntennaView antenna;
   antenna.offsets = offsets;
   antenna.curves = tables_of(method);
   antenna.curve_cell.fill(0.0);
   return antenna;
 }
 
-void sight(benchmark::State& state, const PointArrays& points, const AntennaSight& antenna,
+void sight(benchmark::State& state, const PointArrays& points, const AntennaView& antenna,
            core::Interpolation reflectivity) {
-  SightFrame frame;
+  ViewFrame frame;
   frame.origin_m = {100.0, 3000.0, -1000.0};
   frame.radar_mps = frame.radar_slope_mps = {100.0, 0.0, 0.0};
   frame.light_speed_mps = core::exact_light_speed_mps;
@@ -387,8 +387,8 @@ void sight(benchmark::State& state, const PointArrays& points, const AntennaSigh
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
 }
 constexpr std::size_t many = 20000;
-BENCHMARK_CAPTURE(sight, isotropic, random_points(many, Law::isotropic), AntennaSight{}, {});
-BENCHMARK_CAPTURE(sight, cosine_law, random_points(many, Law::cosine), AntennaSight{}, {});
+BENCHMARK_CAPTURE(sight, isotropic, random_points(many, Law::isotropic), AntennaView{}, {});
+BENCHMARK_CAPTURE(sight, cosine_law, random_points(many, Law::cosine), AntennaView{}, {});
 BENCHMARK_CAPTURE(sight, sinx_beam, random_points(many, Law::isotropic), sinx_antenna(), {});
 BENCHMARK_CAPTURE(sight, classic_sinx_beam, random_points(many, Law::isotropic), sinx_antenna(Offsets::world_angles),
                   {});
@@ -400,13 +400,13 @@ BENCHMARK_CAPTURE(sight, user_antenna_low_pass, random_points(many, Law::isotrop
                   user_antenna(core::Interpolation::low_pass), {});
 BENCHMARK_CAPTURE(sight, classic_user_antenna_linear, random_points(many, Law::isotropic),
                   user_antenna(core::Interpolation::linear, Offsets::world_angles), {});
-BENCHMARK_CAPTURE(sight, user_reflectivity_linear, random_points(many, Law::curve), AntennaSight{},
+BENCHMARK_CAPTURE(sight, user_reflectivity_linear, random_points(many, Law::curve), AntennaView{},
                   core::Interpolation::linear);
-BENCHMARK_CAPTURE(sight, user_reflectivity_low_pass, random_points(many, Law::curve), AntennaSight{},
+BENCHMARK_CAPTURE(sight, user_reflectivity_low_pass, random_points(many, Law::curve), AntennaView{},
                   core::Interpolation::low_pass);
-BENCHMARK_CAPTURE(sight, deviations_of_position_and_rcs, random_points_with_jitter(many, Law::isotropic),
-                  AntennaSight{}, {});
-BENCHMARK_CAPTURE(sight, deviations_of_everything, random_points_with_jitter(many, Law::cosine), AntennaSight{}, {});
+BENCHMARK_CAPTURE(sight, deviations_of_position_and_rcs, random_points_with_jitter(many, Law::isotropic), AntennaView{},
+                  {});
+BENCHMARK_CAPTURE(sight, deviations_of_everything, random_points_with_jitter(many, Law::cosine), AntennaView{}, {});
 
 }  // namespace
 }  // namespace sarsim::radar

@@ -60,7 +60,7 @@ std::complex<double> formula(const EchoPulse& p, double t_s, double f_hz, double
                              const PulseClock& clock) {
   const long double rate = p.pulse.kind == Pulse::Kind::chirp ? p.pulse.sweep_hz / p.pulse.width_s : 0.0;
   const long double u = static_cast<long double>(t_s) - delay_s + p.lead_s - 0.5L * p.pulse.width_s;
-  const long double late = clock.doppler * u + 0.5L * clock.bend_per_s * u * u;
+  const long double late = clock.doppler * u + 0.5L * clock.dilation_rate * u * u;
   const bool thesis = p.doppler_rule == DopplerRule::thesis;
   const long double sent = thesis ? u : u - late;
   const long double w = sent + 0.5L * p.pulse.width_s;

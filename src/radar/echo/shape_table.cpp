@@ -85,10 +85,10 @@ ShapePlace ShapeTable::place(const SampleSpan& span, double delay_s, const Pulse
 // Cuts the samples where they leave the part, or where an uneven stretch leaves a straight line by 1e-9 of an interval.
 void ShapeTable::follow_stretch(double u_s, ShapePlace& place) const {
   auto most = static_cast<double>(place.count);
-  if (place.clock.bend_per_s != 0.0)
-    most = std::min(most, std::sqrt(2e-9 / (std::abs(place.clock.bend_per_s) * grid_.interval_s)));
+  if (place.clock.dilation_rate != 0.0)
+    most = std::min(most, std::sqrt(2e-9 / (std::abs(place.clock.dilation_rate) * grid_.interval_s)));
   const double middle_s = u_s + 0.5 * most * grid_.interval_s;
-  place.drift = -(place.clock.doppler + place.clock.bend_per_s * middle_s);
+  place.drift = -(place.clock.doppler + place.clock.dilation_rate * middle_s);
   place.y_step = 2.0 * double_of(parts_) * place.drift;
   if (place.y_step > 0.0) most = std::min(most, (1.0 - place.y) / place.y_step + 1.0);
   if (place.y_step < 0.0) most = std::min(most, (1.0 + place.y) / -place.y_step + 1.0);

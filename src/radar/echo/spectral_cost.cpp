@@ -2,13 +2,13 @@
 #include <cmath>
 
 #include "core/report/expect.hpp"
-#include "radar/echo/dense_row.hpp"
 #include "radar/echo/doppler_coupling.hpp"
 #include "radar/echo/doppler_terms.hpp"
+#include "radar/echo/gridding.hpp"
 #include "radar/echo/pulse_body.hpp"
+#include "radar/echo/slepian_row.hpp"
 #include "radar/echo/spectral_kernel.hpp"
 #include "radar/echo/spectral_settings.hpp"
-#include "radar/echo/spreading.hpp"
 
 namespace sarsim::radar {
 
@@ -24,7 +24,7 @@ SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid
                        body.largest_frequency_hz(carrier_hz) * grid.interval_s;
   const DopplerSpan span = span_covering(lowest_doppler, highest_doppler);
   SpectralCost cost;
-  cost.spreading_width = SpreadingKernel(settings.share).width;
+  cost.gridding_width = GriddingKernel(settings.share).width;
   cost.edge_samples = body.edges().size() * settings.edge_samples;
   cost.transform_size = static_cast<std::size_t>(4.0 * (body.half_band() + allowance_for(shift)) * row);
   if (span.half > 0.0)
@@ -32,8 +32,8 @@ SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid
                                        span.half, grid.interval_s, settings.motion_share())
                              .terms_for(span.half, settings.motion_share());
   if (!body.has_body()) cost.doppler_terms = max_doppler_terms + 1;
-  if (settings.single_precision && DenseRow::suits(pulse, body)) {
-    cost.bin_transforms = DenseRow::transforms_about(pulse, grid.interval_s, carrier_hz, span.half, settings.share);
+  if (settings.single_precision && SlepianRow::suits(pulse, body)) {
+    cost.bin_transforms = SlepianRow::transforms_about(pulse, grid.interval_s, carrier_hz, span.half, settings.share);
     cost.bin_points = static_cast<std::size_t>(row);
   }
   return cost;

@@ -11,14 +11,14 @@
 #include "core/os/aligned_vector.hpp"
 #include "core/report/expect.hpp"
 #include "radar/echo/complex_rows.hpp"
-#include "radar/echo/dense_row.hpp"
 #include "radar/echo/direct_kernel.hpp"
 #include "radar/echo/doppler_coupling.hpp"
 #include "radar/echo/doppler_terms.hpp"
 #include "radar/echo/edge_pieces.hpp"
+#include "radar/echo/gridding.hpp"
 #include "radar/echo/pulse_body.hpp"
+#include "radar/echo/slepian_row.hpp"
 #include "radar/echo/spectral_settings.hpp"
-#include "radar/echo/spreading.hpp"
 #include "radar/echo/strengths.hpp"
 
 namespace sarsim::radar {
@@ -72,7 +72,7 @@ struct SpectralKernel::Typed : Implementation {
     std::vector<double> kernel_transform;
     std::list<Spectra> recent;
 
-    Band(double shift_allowance, double half_band, std::size_t row_size, const SpreadingKernel& kernel)
+    Band(double shift_allowance, double half_band, std::size_t row_size, const GriddingKernel& kernel)
         : allowance(shift_allowance),
           modes(static_cast<std::size_t>(std::ceil((half_band + allowance) * static_cast<double>(row_size)))),
           cells(core::fast_fft_size(4 * modes + 2 * kernel.width)),
@@ -81,7 +81,7 @@ struct SpectralKernel::Typed : Implementation {
   };
 
   // What the echoes on the grid are spread for.
-  struct Spreading {
+  struct Gridding {
     Band* band = nullptr;
     const Spectra* spectra = nullptr;  // none: nothing is on the grid
 
@@ -112,7 +112,7 @@ struct SpectralKernel::Typed : Implementation {
         steepest = steepest_edge(echo_pulse, body, settings.edge_samples);
       }
     if constexpr (sizeof(Real) == 4)
-      if (has_body && DenseRow::suits(echo_pulse, body))
+      if (has_body && SlepianRow::suits(echo_pulse, body))
         dense.emplace(echo_pulse, body, grid, choices.share, room, row_fft);
     if (!filter.taps.empty()) set_filter(filter);
   }
@@ -151,7 +151,7 @@ struct SpectralKernel::Typed : Implementation {
     motion = motion ? motion->with(gathered.motion) : gathered.motion;
     Spectra wanted = wanted_spectra();
     // Those of a part without bends are 0.
-    if (wanted.bends != DopplerSpan{}) gathered.bend_per_s.resize(position.size());
+    if (wanted.bends != DopplerSpan{}) gathered.dilation_rate.resize(position.size());
     if (!has_body || is_beyond_room()) return take_plainly(echoes);
     if (take_densely(wanted, echoes.size())) return;
     if (edges_stray() || wanted.terms * wanted.bend_terms > max_doppler_terms) return take_plainly(echoes);
@@ -184,12 +184,12 @@ struct SpectralKernel::Typed : Implementation {
       if (!dense) return false;
       if (!densely) {
         const std::size_t transforms =
-            DenseRow::transforms_about(*pulse, grid.interval_s, carrier_hz, wanted.span.half, settings.share);
-        densely = DenseRow::is_worth(in_all, transforms, row_size, wanted.terms * wanted.bend_terms);
+            SlepianRow::transforms_about(*pulse, grid.interval_s, carrier_hz, wanted.span.half, settings.share);
+        densely = SlepianRow::is_worth(in_all, transforms, row_size, wanted.terms * wanted.bend_terms);
       }
       if (!*densely) return false;
       DenseMotion common{carrier_hz,
-                         DenseRow::shared_span(*pulse, grid.interval_s, carrier_hz, wanted.span, settings.share),
+                         SlepianRow::shared_span(*pulse, grid.interval_s, carrier_hz, wanted.span, settings.share),
                          wanted.bends};
       if (dense->is_refused(common)) common.span = wanted.span;
       if (!dense->is_for(common)) leave_dense();
@@ -362,9 +362,9 @@ struct SpectralKernel::Typed : Implementation {
     weighted.resize(s.factor.size() * count);
     const std::span<std::complex<Real>> all(weighted);
     if (s.bend_terms == 1) return weigh_strengths<Real>(strength, gathered.doppler, s.span, s.terms, all);
-    if (s.terms == 1) return weigh_strengths<Real>(strength, gathered.bend_per_s, s.bends, s.bend_terms, all);
+    if (s.terms == 1) return weigh_strengths<Real>(strength, gathered.dilation_rate, s.bends, s.bend_terms, all);
     bent.resize(s.bend_terms * count);
-    weigh_strengths<Real>(strength, gathered.bend_per_s, s.bends, s.bend_terms, bent);
+    weigh_strengths<Real>(strength, gathered.dilation_rate, s.bends, s.bend_terms, bent);
     for (std::size_t b = 0; b < s.bend_terms; ++b)
       weigh_strengths<Real>(std::span(bent).subspan(b * count, count), gathered.doppler, s.span, s.terms,
                             all.subspan(b * s.terms * count, s.terms * count));
@@ -403,7 +403,7 @@ struct SpectralKernel::Typed : Implementation {
     for (EdgePiece<Real>& piece : pieces) {
       if (pulse->doppler_rule == DopplerRule::stretch && gathered.motion.moving()) {
         // Without bends they are the same at each edge.
-        if (&piece == &pieces.front() || !gathered.bend_per_s.empty()) find_late_rates(piece);
+        if (&piece == &pieces.front() || !gathered.dilation_rate.empty()) find_late_rates(piece);
         add_stretched_edge(piece);
         continue;
       }
@@ -421,7 +421,7 @@ struct SpectralKernel::Typed : Implementation {
 
   void find_late_rates(const EdgePiece<Real>& piece) {
     late.resize(position.size());
-    late_rates(doppler, gathered.bend_per_s, body.from_middle_s(piece.hard), late);
+    late_rates(doppler, gathered.dilation_rate, body.from_middle_s(piece.hard), late);
   }
 
   // An edge comes back where its hard end does, the few samples beside it as they were sent but for their phase: with
@@ -518,7 +518,7 @@ struct SpectralKernel::Typed : Implementation {
   SampleGrid grid;
   SpectralSettings settings;
   PulseBody body;
-  SpreadingKernel kernel;
+  GriddingKernel kernel;
   LanePolynomials<Real> taps;
   DirectKernel direct;
   double room;           // for the stretch of echoes at either end, samples
@@ -526,14 +526,14 @@ struct SpectralKernel::Typed : Implementation {
   core::BasicFft<Real> row_fft;
   std::vector<EdgePiece<Real>> pieces;
   std::list<Band> bands;
-  std::optional<DenseRow> dense;
+  std::optional<SlepianRow> dense;
 
   // Of the pulse that was begun.
   double carrier_hz = 0.0;
   std::optional<MotionSpan> motion;  // of the echoes taken so far; none: none touches the row
   std::size_t expected = 0;          // echoes in all
   std::optional<bool> densely;       // none: no echo so far
-  Spreading spreading;
+  Gridding spreading;
   bool has_bodies = false;  // in `folded`
   bool has_edges = false;   // in `edge_row`
   bool has_plain = false;   // in `raw_row`

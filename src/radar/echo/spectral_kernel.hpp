@@ -13,12 +13,12 @@ namespace sarsim::radar {
 
 /// What the spectral kernel would do for a pulse, for those who choose between kernels.
 struct SpectralCost {
-  std::size_t spreading_width = 0;  ///< Grid cells an echo touches, per Doppler term.
-  std::size_t edge_samples = 0;     ///< Samples added directly per echo at the hard edges.
-  std::size_t transform_size = 0;   ///< Points of the larger transform.
-  std::size_t doppler_terms = 1;    ///< For the Doppler span asked about.
-  std::size_t bin_transforms = 0;   ///< About how many take the place of it for many echoes (DenseRow); 0: none do,
-  std::size_t bin_points = 0;       ///< and the points of one.
+  std::size_t gridding_width = 0;  ///< Grid cells an echo touches, per Doppler term.
+  std::size_t edge_samples = 0;    ///< Samples added directly per echo at the hard edges.
+  std::size_t transform_size = 0;  ///< Points of the larger transform.
+  std::size_t doppler_terms = 1;   ///< For the Doppler span asked about.
+  std::size_t bin_transforms = 0;  ///< About how many take the place of it for many echoes (SlepianRow); 0: none do,
+  std::size_t bin_points = 0;      ///< and the points of one.
 };
 
 /// A finite filter that a row passes: out[i] = sum over k of taps[k] row[output_index[i] + k], all of them inside the
@@ -40,7 +40,7 @@ struct RowFilter {
 /// - What motion does to an echo, by D and a, is interpolated between a few Chebyshev nodes, each with a spectrum of
 ///   its own; edges take the exact factor.
 /// - Where many echoes fall on each sample, in single precision, chirps and tones of constant amplitude are summed in
-///   bins of range instead (`DenseRow`).
+///   bins of range instead (`SlepianRow`).
 ///
 /// Relative error per pulse, ||s - s_ref|| / sqrt(sum |a|^2 ||p||^2), below the tolerance: single precision from 1e-6
 /// upwards, double below, down to 1e-9. One object per thread: it keeps scratch space and the spectra of recent Doppler

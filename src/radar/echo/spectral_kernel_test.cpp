@@ -411,7 +411,7 @@ TEST(SpectralKernelCost, TellsWidthEdgesTransformAndDopplerTerms) {
   const SampleGrid grid = test_grid(1000);
   const EchoPulse pulse = test_pulse(Pulse::Kind::chirp, 200.0, 0.8);
   const SpectralCost resting = SpectralKernel::cost(pulse, grid, 1e-6, carrier_hz, 0.0, 0.0);
-  EXPECT_EQ(resting.spreading_width, 8u);  // 10^(1 - 8) for an eighth of the promise
+  EXPECT_EQ(resting.gridding_width, 8u);  // 10^(1 - 8) for an eighth of the promise
   EXPECT_EQ(resting.edge_samples, 16u);
   EXPECT_EQ(resting.doppler_terms, 1u);
   EXPECT_GT(resting.transform_size, 4u * 1200u / 2u);

@@ -87,7 +87,7 @@ HWY_INLINE void keep_touching(const Vectors<Real>& v, const RowConstants& row, s
   if (here == lanes && hn::AllTrue(dd, touches)) {
     hn::StoreU(v.position, dd, out.position.data() + kept);
     hn::StoreU(v.doppler, dd, out.doppler.data() + kept);
-    if (!out.bend_per_s.empty()) hn::StoreU(v.bend, dd, out.bend_per_s.data() + kept);
+    if (!out.dilation_rate.empty()) hn::StoreU(v.bend, dd, out.dilation_rate.data() + kept);
     hn::StoreInterleaved2(v.re, v.im, narrow, reinterpret_cast<Real*>(out.strength.data() + kept));
     kept += lanes;
     return;
@@ -107,7 +107,7 @@ HWY_INLINE void keep_touching(const Vectors<Real>& v, const RowConstants& row, s
     out.position[kept] = position[i];
     out.strength[kept] = {re[i], im[i]};
     out.doppler[kept] = doppler[i];
-    if (!out.bend_per_s.empty()) out.bend_per_s[kept] = bend[i];
+    if (!out.dilation_rate.empty()) out.dilation_rate[kept] = bend[i];
     ++kept;
   }
 }
@@ -141,13 +141,13 @@ HWY_INLINE void gather_on_target(const EchoBatch& echoes, const RowFrame& frame,
   out.position.resize(count);
   out.strength.resize(count);
   out.doppler.resize(count);
-  out.bend_per_s.resize(echoes.bend_per_s.size());
+  out.dilation_rate.resize(echoes.dilation_rate.size());
   std::size_t kept = 0;
   std::size_t k = 0;
-  const bool bends = !echoes.bend_per_s.empty();
+  const bool bends = !echoes.dilation_rate.empty();
   const bool ahead = !echoes.ahead_turns.empty();
   const Columns all{echoes.delay_s.data(), echoes.amplitude_sqrt_w.data(), echoes.doppler.data(),
-                    bends ? echoes.bend_per_s.data() : nullptr, ahead ? echoes.ahead_turns.data() : nullptr};
+                    bends ? echoes.dilation_rate.data() : nullptr, ahead ? echoes.ahead_turns.data() : nullptr};
   const RowConstants row(frame);
   for (; k + lanes <= count; k += lanes) keep_touching(strengths_at<Real>(all.from(k), row), row, lanes, kept, out);
   if (k < count) {
@@ -166,9 +166,9 @@ HWY_INLINE void gather_on_target(const EchoBatch& echoes, const RowFrame& frame,
   out.position.resize(kept);
   out.strength.resize(kept);
   out.doppler.resize(kept);
-  if (bends) out.bend_per_s.resize(kept);
+  if (bends) out.dilation_rate.resize(kept);
   set_range(out.doppler, out.motion.lowest_doppler, out.motion.highest_doppler);
-  set_range(out.bend_per_s, out.motion.lowest_bend, out.motion.highest_bend);
+  set_range(out.dilation_rate, out.motion.lowest_bend, out.motion.highest_bend);
 }
 
 // Chebyshev's polynomials at the nodes, [node][degree], times 2/terms, half of that for degree 0: Lagrange's polynomial
@@ -236,7 +236,7 @@ HWY_INLINE void weigh_on_target(std::span<const std::complex<Real>> strength, st
 
 // (u - e)/e with u = (e + a u^2/2)/(1 - D), in as many rounds as PulseClock::late_of takes; as a share of e, which may
 // be 0.
-void late_rates_on_target(std::span<const double> doppler, std::span<const double> bend_per_s, double sent_s,
+void late_rates_on_target(std::span<const double> doppler, std::span<const double> dilation_rate, double sent_s,
                           double* out) {
   const hn::ScalableTag<double> d;
   const std::size_t lanes = hn::Lanes(d);
@@ -249,13 +249,13 @@ void late_rates_on_target(std::span<const double> doppler, std::span<const doubl
       for (std::size_t i = 0; i < lanes; ++i) {
         const std::size_t source = k + std::min(i, here - 1);
         rest[0][i] = doppler[source];
-        rest[1][i] = bend_per_s.empty() ? 0.0 : bend_per_s[source];
+        rest[1][i] = dilation_rate.empty() ? 0.0 : dilation_rate[source];
       }
     const auto speed = hn::LoadU(d, whole ? doppler.data() + k : rest[0]);
     const auto scale = hn::Div(one, hn::Sub(one, speed));
     auto late = hn::Mul(speed, scale);
-    if (!bend_per_s.empty()) {
-      const auto bend = hn::Mul(hn::LoadU(d, whole ? bend_per_s.data() + k : rest[1]), hn::Set(d, 0.5 * sent_s));
+    if (!dilation_rate.empty()) {
+      const auto bend = hn::Mul(hn::LoadU(d, whole ? dilation_rate.data() + k : rest[1]), hn::Set(d, 0.5 * sent_s));
       auto longer = scale;  // u/e
       for (int round = 0; round < 3; ++round) longer = hn::Mul(hn::MulAdd(bend, hn::Mul(longer, longer), one), scale);
       late = hn::Mul(hn::MulAdd(bend, longer, speed), longer);
@@ -328,7 +328,7 @@ void part_neighbours(Strengths<Real>& echoes) {
   if (!neighbours_meet(echoes.position)) return;
   take_in_turn(echoes.position, echoes.room);
   take_in_turn(echoes.doppler, echoes.room);
-  take_in_turn(echoes.bend_per_s, echoes.room);
+  take_in_turn(echoes.dilation_rate, echoes.room);
   take_in_turn(echoes.strength, echoes.strength_room);
 }
 
@@ -341,11 +341,11 @@ HWY_EXPORT(weigh_single);
 HWY_EXPORT(weigh_double);
 HWY_EXPORT(late_rates_on_target);
 
-void late_rates(std::span<const double> doppler, std::span<const double> bend_per_s, double sent_s,
+void late_rates(std::span<const double> doppler, std::span<const double> dilation_rate, double sent_s,
                 std::span<double> rate) {
-  CORE_EXPECT(bend_per_s.empty() || bend_per_s.size() == doppler.size());
+  CORE_EXPECT(dilation_rate.empty() || dilation_rate.size() == doppler.size());
   CORE_EXPECT(rate.size() == doppler.size());
-  HWY_DYNAMIC_DISPATCH(late_rates_on_target)(doppler, bend_per_s, sent_s, rate.data());
+  HWY_DYNAMIC_DISPATCH(late_rates_on_target)(doppler, dilation_rate, sent_s, rate.data());
 }
 
 double doppler_node(std::size_t r, std::size_t terms) {

@@ -43,13 +43,15 @@ struct Strengths {
   core::AlignedVector<double> position;              ///< Of the leading edge, samples after the row's first.
   core::AlignedVector<std::complex<Real>> strength;  ///< A exp(-j 2 pi (f tau - phi)).
   core::AlignedVector<double> doppler;               ///< D.
-  core::AlignedVector<double> bend_per_s;            ///< a; empty where the batch has none.
-  MotionSpan motion;                                 ///< Of `doppler` and `bend_per_s`.
+  core::AlignedVector<double> dilation_rate;         ///< a; empty where the batch has none.
+  MotionSpan motion;                                 ///< Of `doppler` and `dilation_rate`.
   core::AlignedVector<double> room;                  ///< For changes of their order.
   core::AlignedVector<std::complex<Real>> strength_room;
 
   /// How echo k is stretched.
-  [[nodiscard]] PulseClock clock(std::size_t k) const { return {doppler[k], bend_per_s.empty() ? 0.0 : bend_per_s[k]}; }
+  [[nodiscard]] PulseClock clock(std::size_t k) const {
+    return {doppler[k], dilation_rate.empty() ? 0.0 : dilation_rate[k]};
+  }
 };
 
 /// Computes strengths in SIMD, in the order of the batch; the phase is reduced in double precision before the phasor is
@@ -64,9 +66,9 @@ void part_neighbours(Strengths<Real>& echoes);
 
 /// D' = late_of(e)/e of each echo, what it is late by for each second that a part of the pulse was sent after its
 /// middle; in SIMD.
-/// @param bend_per_s  a of each echo, or empty
+/// @param dilation_rate  a of each echo, or empty
 /// @param sent_s      e
-void late_rates(std::span<const double> doppler, std::span<const double> bend_per_s, double sent_s,
+void late_rates(std::span<const double> doppler, std::span<const double> dilation_rate, double sent_s,
                 std::span<double> rate);
 
 /// A span of D, or of a.

@@ -197,7 +197,7 @@ std::string fault_of_start(const PathStart& start) {
 
 }  // namespace
 
-PathMade leg_path(const PathStart& start, const std::vector<Leg>& legs) {
+PathResult leg_path(const PathStart& start, const std::vector<Leg>& legs) {
   if (std::string fault = fault_of_start(start); !fault.empty()) return {{}, std::move(fault)};
   PathSegment now;
   now.position_world_m = start.position_world_m;

@@ -66,7 +66,7 @@ struct PathStart {
 /// rounding, accelerations at the ends of all legs.
 ///
 /// The fault names the first leg that cannot be flown and why: "leg 2 (turn): the bank is 0".
-[[nodiscard]] PathMade leg_path(const PathStart& start, const std::vector<Leg>& legs);
+[[nodiscard]] PathResult leg_path(const PathStart& start, const std::vector<Leg>& legs);
 
 /// The four legs of a racetrack: straight, half a turn, straight, half a turn. It ends where and as it starts after
 /// 2 (length/v + pi R/v).

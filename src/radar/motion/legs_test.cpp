@@ -35,7 +35,7 @@ ClimbLeg climb_for(double duration_s, double rate, double rounding = 0.0) {
 PathStart start(double speed = 120.0) { return {5.0, {1000.0, -2000.0, 3000.0}, 70.0 * deg, speed}; }
 
 SegmentPath path_of(const std::vector<Leg>& legs, const PathStart& from = start()) {
-  PathMade made = leg_path(from, legs);
+  PathResult made = leg_path(from, legs);
   EXPECT_EQ(made.fault, "");
   return std::move(made.path);
 }

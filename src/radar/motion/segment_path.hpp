@@ -66,7 +66,7 @@ struct SlowClimb {
 };
 
 /// A path, or why there is none.
-struct PathMade {
+struct PathResult {
   SegmentPath path;
   std::string fault;                   ///< Empty where the path was made.
   std::optional<std::size_t> at = {};  ///< Position of the leg or waypoint that the fault is about, where it is one's.

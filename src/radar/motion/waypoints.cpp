@@ -183,8 +183,8 @@ void lay_leg(Layer& layer, const std::vector<RouteLeg>& legs, const std::vector<
 
 }  // namespace
 
-PathMade waypoint_path(const WaypointRoute& route) {
-  const auto fault_made = [](RouteFault& fault) { return PathMade{{}, std::move(fault.text), fault.at, {}}; };
+PathResult waypoint_path(const WaypointRoute& route) {
+  const auto fault_made = [](RouteFault& fault) { return PathResult{{}, std::move(fault.text), fault.at, {}}; };
   if (RouteFault fault = fault_of_numbers(route); !fault.text.empty()) return fault_made(fault);
   const std::vector<RouteLeg> legs = route_legs(route);
   if (RouteFault fault = fault_of_legs(legs); !fault.text.empty()) return fault_made(fault);

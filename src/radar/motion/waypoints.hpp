@@ -31,6 +31,6 @@ struct WaypointRoute {
 /// point and after the last one the path goes straight on, rising as its first or last leg.
 ///
 /// The fault names what does not fit: the waypoint or the leg, how long the leg must be and how long it is.
-[[nodiscard]] PathMade waypoint_path(const WaypointRoute& route);
+[[nodiscard]] PathResult waypoint_path(const WaypointRoute& route);
 
 }  // namespace sarsim::radar

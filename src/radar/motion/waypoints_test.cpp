@@ -26,7 +26,7 @@ WaypointRoute route() {
 }
 
 SegmentPath path_of(const WaypointRoute& r) {
-  PathMade made = waypoint_path(r);
+  PathResult made = waypoint_path(r);
   EXPECT_EQ(made.fault, "");
   return std::move(made.path);
 }

@@ -28,9 +28,9 @@ struct FlightMotion {
 
 /// A pulse's path to a point and back.
 struct Flight {
-  core::Vec3 look_m;     ///< From the radar as it sends to the point as it is met.
-  Path path;             ///< c (t1 - t0) and c (t2 - t1).
-  double delay_s = 0.0;  ///< t2 - t0.
+  core::Vec3 line_of_sight_m;  ///< From the radar as it sends to the point as it is met.
+  Path path;                   ///< c (t1 - t0) and c (t2 - t1).
+  double delay_s = 0.0;        ///< t2 - t0.
   double doppler = 0.0;  ///< D: what is received at t2 + u was sent at t0 + (1 - D) u. 2 v/(c + v) for a point that
                          ///< recedes at v along the line of sight.
 };
@@ -44,23 +44,25 @@ struct Flight {
 ///
 /// The delay takes w from `radar_mps`, the stretch takes it from `radar_slope_mps`. Speeds must be below that of light;
 /// a look of length 0 gives a path of length 0 and D = 0/0.
-/// @param look_m  from the radar at sending to the point at its anchor time
-[[nodiscard]] inline Flight flight_of(const core::Vec3& look_m, const FlightMotion& motion, double light_speed_mps) {
+/// @param line_of_sight_m  from the radar at sending to the point at its anchor time
+[[nodiscard]] inline Flight flight_of(const core::Vec3& line_of_sight_m, const FlightMotion& motion,
+                                      double light_speed_mps) {
   const core::Vec3 b = (1.0 / light_speed_mps) * motion.point_mps;
   const core::Vec3 way = (1.0 / light_speed_mps) * motion.radar_mps;
   const core::Vec3 w = (1.0 / light_speed_mps) * motion.radar_slope_mps;
-  const core::Vec3 r = look_m - motion.anchor_s * motion.point_mps;
+  const core::Vec3 r = line_of_sight_m - motion.anchor_s * motion.point_mps;
   const double rb = core::dot(r, b);
   const double still = 1.0 - core::dot(b, b);
   Flight flight;
   flight.path.out_m = (rb + std::sqrt(rb * rb + core::dot(r, r) * still)) / still;
-  flight.look_m = r + flight.path.out_m * b;
-  const double length_m = 2.0 * (flight.path.out_m - core::dot(flight.look_m, way)) / (1.0 - core::dot(way, way));
+  flight.line_of_sight_m = r + flight.path.out_m * b;
+  const double length_m =
+      2.0 * (flight.path.out_m - core::dot(flight.line_of_sight_m, way)) / (1.0 - core::dot(way, way));
   flight.path.back_m = length_m - flight.path.out_m;
   flight.delay_s = length_m / light_speed_mps;
-  const double out_w = core::dot(flight.look_m, w) / flight.path.out_m;
-  const double out_b = core::dot(flight.look_m, b) / flight.path.out_m;
-  const core::Vec3 home_m = length_m * way - flight.look_m;
+  const double out_w = core::dot(flight.line_of_sight_m, w) / flight.path.out_m;
+  const double out_b = core::dot(flight.line_of_sight_m, b) / flight.path.out_m;
+  const core::Vec3 home_m = length_m * way - flight.line_of_sight_m;
   const double home_w = core::dot(home_m, w) / flight.path.back_m;
   const double home_b = core::dot(home_m, b) / flight.path.back_m;
   flight.doppler =
@@ -69,18 +71,18 @@ struct Flight {
 }
 
 /// `flight_of` to a point that rests, b = 0: the same to rounding, and faster.
-[[nodiscard]] inline Flight flight_to_resting(const core::Vec3& look_m, const core::Vec3& radar_mps,
+[[nodiscard]] inline Flight flight_to_resting(const core::Vec3& line_of_sight_m, const core::Vec3& radar_mps,
                                               const core::Vec3& radar_slope_mps, double light_speed_mps) {
   const double per_light = 1.0 / light_speed_mps;
   const core::Vec3 way = per_light * radar_mps;
   Flight flight;
-  flight.look_m = look_m;
-  flight.path.out_m = core::norm(look_m);
-  const double length_m = 2.0 * (flight.path.out_m - core::dot(look_m, way)) / (1.0 - core::dot(way, way));
+  flight.line_of_sight_m = line_of_sight_m;
+  flight.path.out_m = core::norm(line_of_sight_m);
+  const double length_m = 2.0 * (flight.path.out_m - core::dot(line_of_sight_m, way)) / (1.0 - core::dot(way, way));
   flight.path.back_m = length_m - flight.path.out_m;
   flight.delay_s = length_m / light_speed_mps;
-  const double out_w = per_light * core::dot(look_m, radar_slope_mps) / flight.path.out_m;
-  const double home_w = per_light * core::dot(length_m * way - look_m, radar_slope_mps) / flight.path.back_m;
+  const double out_w = per_light * core::dot(line_of_sight_m, radar_slope_mps) / flight.path.out_m;
+  const double home_w = per_light * core::dot(length_m * way - line_of_sight_m, radar_slope_mps) / flight.path.back_m;
   flight.doppler = (home_w - out_w) / (1.0 - out_w);
   return flight;
 }
@@ -88,12 +90,13 @@ struct Flight {
 /// The flight of the thesis (6.9), as the programs of 1998 had it: everything counts where it is when the pulse leaves,
 /// tau = 2 d/(c - v), D = 2 v/c.
 /// @param velocity_mps  of the point relative to the radar
-[[nodiscard]] inline Flight thesis_flight_of(const core::Vec3& look_m, const core::Vec3& velocity_mps,
+[[nodiscard]] inline Flight thesis_flight_of(const core::Vec3& line_of_sight_m, const core::Vec3& velocity_mps,
                                              double light_speed_mps) {
-  const double distance_m = core::norm(look_m);
-  const double speed_mps = distance_m > 0.0 ? core::dot(look_m, velocity_mps) / distance_m : 0.0;
+  const double distance_m = core::norm(line_of_sight_m);
+  const double speed_mps = distance_m > 0.0 ? core::dot(line_of_sight_m, velocity_mps) / distance_m : 0.0;
   const Path path = there_and_back(distance_m);
-  return {look_m, path, moving_delay_of(path, speed_mps, light_speed_mps), delay_of(speed_mps, light_speed_mps)};
+  return {line_of_sight_m, path, moving_delay_of(path, speed_mps, light_speed_mps),
+          delay_of(speed_mps, light_speed_mps)};
 }
 
 /// Speed at which a point recedes along the line of sight whose echo has the Doppler factor D, m/s: c D/(2 - D).
@@ -103,13 +106,14 @@ struct Flight {
 
 /// The rate at which the delay's own rate changes, 1/s: 2/c times the second derivative of the distance,
 /// (V^2 - v^2)/d + u.a. To the first order in speed over c of itself.
-/// @param look_m  from the radar to the point
-[[nodiscard]] inline double bend_of(const core::Vec3& look_m, const FlightMotion& motion, double light_speed_mps) {
+/// @param line_of_sight_m  from the radar to the point
+[[nodiscard]] inline double bend_of(const core::Vec3& line_of_sight_m, const FlightMotion& motion,
+                                    double light_speed_mps) {
   const core::Vec3 velocity_mps = motion.point_mps - motion.radar_slope_mps;
-  const double distance2 = core::dot(look_m, look_m);
-  const double along = core::dot(look_m, velocity_mps);
+  const double distance2 = core::dot(line_of_sight_m, line_of_sight_m);
+  const double along = core::dot(line_of_sight_m, velocity_mps);
   const double curvature = core::dot(velocity_mps, velocity_mps) - along * along / distance2;
-  const double by_motion = core::dot(look_m, motion.point_mps2 - motion.radar_mps2);
+  const double by_motion = core::dot(line_of_sight_m, motion.point_mps2 - motion.radar_mps2);
   return delay_of((curvature + by_motion) / std::sqrt(distance2), light_speed_mps);
 }
 
@@ -120,7 +124,7 @@ struct Flight {
 ///
 /// so that a platform of any size may share its anchor; what is left is of third order in e and g.
 inline void bend(Flight& flight, const FlightMotion& motion, double light_speed_mps) {
-  const core::Vec3 towards = (1.0 / flight.path.out_m) * flight.look_m;
+  const core::Vec3 towards = (1.0 / flight.path.out_m) * flight.line_of_sight_m;
   const double early_s = flight.path.out_m / light_speed_mps - motion.anchor_s;
   const double late_s = flight.delay_s - motion.back_s;
   const double of_point = core::dot(towards, motion.point_mps2) * early_s;

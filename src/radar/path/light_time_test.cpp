@@ -59,7 +59,7 @@ TEST(FlightOf, EvenMotionsIsTheSolutionOfTheLightTimeEquation) {
     // Rounding of the place and of the times.
     EXPECT_NEAR(flight.delay_s, static_cast<double>(delay), 1e-15 * flight.delay_s + 4e-10 / c) << speed;
     EXPECT_NEAR(flight.path.length_m(), c * flight.delay_s, 1e-15 * flight.path.length_m());
-    EXPECT_NEAR(flight.path.out_m, core::norm(flight.look_m), 8e-16 * flight.path.out_m);
+    EXPECT_NEAR(flight.path.out_m, core::norm(flight.line_of_sight_m), 8e-16 * flight.path.out_m);
     const long double h = 1e-6L;
     const long double slope = (delay_from(radar, point, h) - delay_from(radar, point, -h)) / (2.0L * h);
     EXPECT_NEAR(flight.doppler, static_cast<double>(slope / (1.0L + slope)), 3e-15 + 1e-13 * std::pow(speed / 1e5, 3));
@@ -85,7 +85,7 @@ TEST(FlightToResting, IsTheFlightToAPointWithoutVelocity) {
     EXPECT_NEAR(found.delay_s, general.delay_s, 4e-16 * general.delay_s);
     EXPECT_NEAR(found.path.back_m, general.path.back_m, 1e-15 * general.delay_s * c);
     EXPECT_EQ(found.path.out_m, core::norm(look));
-    EXPECT_EQ(found.look_m, look);
+    EXPECT_EQ(found.line_of_sight_m, look);
     EXPECT_NEAR(found.doppler, general.doppler, 4e-16 + 4e-16 * std::abs(general.doppler));
   }
 }

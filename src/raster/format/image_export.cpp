@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "radar/receiver/converter.hpp"
 #include "raster/table/formats.hpp"
 #include "raster/table/product_attributes.hpp"
@@ -100,7 +100,7 @@ void expect_single_precision(std::span<const std::complex<double>> volts, std::s
       volts, [&](const std::complex<double>& value) { return fits(value.real()) && fits(value.imag()); });
   if (bad == volts.end()) return;
   const auto at = static_cast<std::size_t>(bad - volts.begin());
-  throw core::Refused(
+  throw core::InvalidRequest(
       {core::problem_of(core::Severity::error,
                         fmt::format("row {}, sample {} (from 0) is too large for the single precision of the new file",
                                     first_row + at / columns, at % columns),

@@ -24,7 +24,7 @@ struct ImageExport {
 /// would become infinite. What is infinite or not a number already passes.
 /// @param volts      whole rows of `columns` samples
 /// @param first_row  of the file, for the words
-/// @throws core::Refused
+/// @throws core::InvalidRequest
 void expect_single_precision(std::span<const std::complex<double>> volts, std::size_t first_row, std::size_t columns);
 
 /// Writes a window of an image as a file of samples in any of the formats of docs/formats/samples.md, some MB at a
@@ -37,8 +37,8 @@ void expect_single_precision(std::span<const std::complex<double>> volts, std::s
 /// either.
 ///
 /// The file appears when it is complete. Returns what `RunReport` says of it. Throws what reading and the sink throw,
-/// std::out_of_range for a window that is not inside or empty, core::Refused for volts that single precision does not
-/// hold where the options do not say `doubles`, Interrupted.
+/// std::out_of_range for a window that is not inside or empty, core::InvalidRequest for volts that single precision
+/// does not hold where the options do not say `doubles`, Interrupted.
 simulate::RunReport export_window(const Raster& source, const ImageWindow& window, const std::filesystem::path& path,
                                   const ImageExport& options, const core::WorkControl& control = {},
                                   const core::ProgressReport& progress = {});

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/format/data_test_support.hpp"
 #include "raster/table/product_attributes.hpp"
 
@@ -89,7 +89,7 @@ TEST(ExportWindow, RefusesVoltsThatSinglePrecisionCannotHold) {
   try {
     export_window(*source, {0, 2, 0, 2}, folder / "b.npy", options);
     FAIL() << "7e38 is infinite in single precision";
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     EXPECT_THAT(data_test::text_of(refused.problems), testing::HasSubstr("row 1, sample 1 (from 0) is too large"));
     EXPECT_THAT(data_test::text_of(refused.problems), testing::HasSubstr("5e+38 + 7e+38j V"));
   }
@@ -104,7 +104,7 @@ TEST(ExpectSinglePrecision, PassesTheLargestAndWhatIsNotFinite) {
   const std::complex<double> passing[] = {{most, -most}, {infinite, std::nan("")}};
   EXPECT_NO_THROW(expect_single_precision(passing, 0, 2));
   const std::complex<double> failing[] = {{0.0, -1.001 * most}};
-  EXPECT_THROW(expect_single_precision(failing, 0, 1), core::Refused);
+  EXPECT_THROW(expect_single_precision(failing, 0, 1), core::InvalidRequest);
 }
 
 TEST(ExportWindow, KeepsVoltsAndTheAxesOfWhatIsTaken) {

@@ -167,7 +167,7 @@ std::variant<SicdDescription, core::Problem> description_of(const core::InputFil
 }
 
 // Whether the file is as long as its header says.
-core::Problems remarks_on_length(const core::InputFile& file, const NitfFile& nitf) {
+core::Problems diagnose_length(const core::InputFile& file, const NitfFile& nitf) {
   core::Problems remarks;
   const auto remark = [&](const char* message, std::uint64_t expected) {
     remarks.push_back(with_severity(file_problem(file.path().string(), message, fmt::format("{} bytes", file.size()),
@@ -194,7 +194,7 @@ OpenedRaster open_sicd(core::InputFile file, const Format&, const RasterHints& h
   SicdDescription& description = std::get<SicdDescription>(described);
   auto parts = segments_of(name, std::get<NitfFile>(nitf), description);
   if (auto* problem = std::get_if<core::Problem>(&parts)) return {nullptr, {std::move(*problem)}};
-  core::Problems remarks = remarks_on_length(file, std::get<NitfFile>(nitf));
+  core::Problems remarks = diagnose_length(file, std::get<NitfFile>(nitf));
   RasterInfo info = info_of(file, description.columns, hints);
   info.places = std::move(description.places);
   info.attributes = std::move(description.facts);

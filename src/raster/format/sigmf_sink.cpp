@@ -6,7 +6,7 @@
 
 #include "core/build/version.hpp"
 #include "core/os/output_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/json.hpp"
 #include "radar/earth/instant.hpp"
 #include "raster/format/format_writer.hpp"
@@ -50,11 +50,11 @@ std::string datatype_of(const Encoding& encoding) {
 
 void expect_possible(const fs::path& path, const Encoding& encoding) {
   if (encoding.counts && encoding.bits > max_bits)
-    throw core::Refused({file_problem(path.string(), "SigMF has no integers for counts of so many bits",
-                                      fmt::format("{} bits", encoding.bits), fmt::format("at most {}", max_bits),
-                                      "record volts, or choose another format")});
+    throw core::InvalidRequest({file_problem(path.string(), "SigMF has no integers for counts of so many bits",
+                                             fmt::format("{} bits", encoding.bits), fmt::format("at most {}", max_bits),
+                                             "record volts, or choose another format")});
   if (sigmf_files(path).front() == path || sigmf_files(path).back() == path) return;
-  throw core::Refused(
+  throw core::InvalidRequest(
       {file_problem(path.string(), "this is not the name of a SigMF recording", {},
                     "NAME.sigmf-meta, beside which the samples are NAME.sigmf-data", "give the output such a name")});
 }

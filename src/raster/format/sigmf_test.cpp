@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/format/data_test_support.hpp"
 #include "raster/format/sigmf.hpp"
 
@@ -99,10 +99,11 @@ TEST(Sigmf, SaysWhatIsNotRead) {
 TEST(Sigmf, NamesAndBitsThatAreNoneOfItAreRefused) {
   const TestFolder folder;
   EXPECT_THROW(static_cast<void>(make_sink(folder / "a.dat", test_product(1, 1, 8), {scene::FileFormat::sigmf})),
-               core::Refused);
+               core::InvalidRequest);
   SinkOptions counts{scene::FileFormat::sigmf};
   counts.counts = true;
-  EXPECT_THROW(static_cast<void>(make_sink(folder / "a.sigmf-meta", test_product(1, 1, 32), counts)), core::Refused);
+  EXPECT_THROW(static_cast<void>(make_sink(folder / "a.sigmf-meta", test_product(1, 1, 32), counts)),
+               core::InvalidRequest);
   EXPECT_EQ(folder.entries(), 0U);
 }
 

@@ -1,4 +1,4 @@
-#include "core/os/trial.hpp"
+#include "core/os/isolated.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,12 +16,12 @@ namespace sarsim::raster {
 namespace trial_test {
 
 TEST(Trial, TellsSurvivalFromCrashAndHang) {
-  EXPECT_EQ(core::run_trial([] { return std::string(); }, 5).result, core::TrialResult::passed);
-  EXPECT_EQ(core::run_trial([]() -> std::string { throw std::runtime_error("an answer"); }, 5).result,
-            core::TrialResult::passed);
-  EXPECT_EQ(core::run_trial([]() -> std::string { std::abort(); }, 5).result, core::TrialResult::crashed);
+  EXPECT_EQ(core::run_isolated([] { return std::string(); }, 5).result, core::IsolatedResult::passed);
+  EXPECT_EQ(core::run_isolated([]() -> std::string { throw std::runtime_error("an answer"); }, 5).result,
+            core::IsolatedResult::passed);
+  EXPECT_EQ(core::run_isolated([]() -> std::string { std::abort(); }, 5).result, core::IsolatedResult::crashed);
   volatile bool never = false;
-  EXPECT_EQ(core::run_trial(
+  EXPECT_EQ(core::run_isolated(
                 [&] {
                   while (!never) {
                   }
@@ -29,21 +29,21 @@ TEST(Trial, TellsSurvivalFromCrashAndHang) {
                 },
                 1)
                 .result,
-            core::TrialResult::too_much_work);
+            core::IsolatedResult::too_much_work);
 }
 
 // The terminal sends Ctrl-C to the child as well.
 TEST(Trial, ARequestToEndIsNoCrash) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const auto before = std::signal(signal, SIG_DFL);
-    const core::TrialReport report = core::run_trial(
+    const core::IsolatedReport report = core::run_isolated(
         [signal] {
           std::raise(signal);
           return std::string("survived");
         },
         5);
     std::signal(signal, before);
-    EXPECT_EQ(report.result, core::TrialResult::stopped) << signal;
+    EXPECT_EQ(report.result, core::IsolatedResult::stopped) << signal;
   }
 }
 
@@ -51,33 +51,33 @@ TEST(Trial, ARequestToEndIsNoCrash) {
 TEST(Trial, EndsWhenWhoeverBeganItNoLongerWantsIt) {
   volatile bool never = false;
   int questions = 0;
-  const core::TrialReport report = core::run_trial(
+  const core::IsolatedReport report = core::run_isolated(
       [&] {
         while (!never) {
         }
         return std::string();
       },
       5, nullptr, [&questions] { return ++questions == 2; });
-  EXPECT_EQ(report.result, core::TrialResult::stopped);
+  EXPECT_EQ(report.result, core::IsolatedResult::stopped);
   EXPECT_EQ(questions, 2);
 }
 
 TEST(Trial, WhatIsIgnoredStaysIgnored) {
   const auto before = std::signal(SIGHUP, SIG_IGN);
-  const core::TrialReport report = core::run_trial(
+  const core::IsolatedReport report = core::run_isolated(
       [] {
         std::raise(SIGHUP);
         return std::string("survived");
       },
       5);
   std::signal(SIGHUP, before);
-  EXPECT_EQ(report.result, core::TrialResult::passed);
+  EXPECT_EQ(report.result, core::IsolatedResult::passed);
   EXPECT_EQ(report.text, "survived");
 }
 
 TEST(Trial, BringsBackTheTextAndNothingElse) {
   int value = 1;
-  const core::TrialReport report = core::run_trial(
+  const core::IsolatedReport report = core::run_isolated(
       [&] {
         value = 2;
         return std::string(50'000, 'x') + '\0' + "end";
@@ -89,13 +89,13 @@ TEST(Trial, BringsBackTheTextAndNothingElse) {
 
 // A busy machine or a slow disk says nothing of a file.
 TEST(Trial, CountsNoTimeThatIsWaited) {
-  const core::TrialReport report = core::run_trial(
+  const core::IsolatedReport report = core::run_isolated(
       [] {
         std::this_thread::sleep_for(std::chrono::milliseconds(2500));
         return std::string("survived");
       },
       1);
-  EXPECT_EQ(report.result, core::TrialResult::passed);
+  EXPECT_EQ(report.result, core::IsolatedResult::passed);
   EXPECT_EQ(report.text, "survived");
 }
 

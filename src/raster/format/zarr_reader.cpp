@@ -18,7 +18,7 @@
 #include "raster/format/format_reader.hpp"
 #include "raster/format/npy_array.hpp"
 #include "raster/format/zarr_metadata.hpp"
-#include "raster/table/axis_words.hpp"
+#include "raster/table/axis_labels.hpp"
 #include "raster/table/cf_attributes.hpp"
 #include "raster/table/described_product.hpp"
 #include "raster/table/file_problem.hpp"
@@ -454,7 +454,7 @@ core::Problems problems_of_zarr_axes(const fs::path& group, std::uint64_t rows, 
     if (auto problem = problem_of_missing(axis->meaning, "the axis " + name, axis->stored()))
       keep(std::move(*problem), name);
   };
-  for (const AxisWords& axis : axis_words) judge(axis.name, {axis.of == AxisOf::columns ? columns : rows});
+  for (const AxisLabels& axis : axis_words) judge(axis.name, {axis.of == AxisOf::columns ? columns : rows});
   for (const PoseAxis& axis : pose_axes) judge(axis.name, {rows, 3});
   return problems;
 }
@@ -475,7 +475,7 @@ std::optional<core::Problem> problem_of_consolidated(const fs::path& folder, con
     names.push_back(name / ".zarray");
     names.push_back(name / ".zattrs");
   };
-  for (const AxisWords& axis : axis_words) add(axis.name);
+  for (const AxisLabels& axis : axis_words) add(axis.name);
   for (const PoseAxis& axis : pose_axes) add(axis.name);
   return contradiction_of_zarr(folder, names);
 }

@@ -9,7 +9,7 @@
 #include "raster/hdf5/hdf5_attributes.hpp"
 #include "raster/hdf5/hdf5_dataset.hpp"
 #include "raster/hdf5/hdf5_numbers.hpp"
-#include "raster/table/axis_words.hpp"
+#include "raster/table/axis_labels.hpp"
 #include "raster/table/cf_attributes.hpp"
 #include "raster/table/file_problem.hpp"
 #include "raster/table/pose_axes.hpp"
@@ -127,7 +127,7 @@ class ArrayFinder {
   }
 
   void find_axes() {
-    for (const AxisWords& axis : axis_words) {
+    for (const AxisLabels& axis : axis_words) {
       const bool of_columns = axis.of == AxisOf::columns;
       std::string& dimension = of_columns ? across_ : down_;
       const bool first = axis.of != AxisOf::rows || std::string_view(axis.name) == "pulse_time_s";
@@ -143,7 +143,7 @@ class ArrayFinder {
     std::string with_rows;
     for (StoredArray& array : arrays_) {
       if (!array.dimensions.empty()) continue;
-      const AxisWords* const axis = words_of_axis(array.name);
+      const AxisLabels* const axis = words_of_axis(array.name);
       const bool of_columns = axis != nullptr && axis->of == AxisOf::columns;
       array.dimensions = {of_columns ? across_ : down_};
       if (array.shape.size() > 1)

@@ -37,11 +37,11 @@ bool hdf5_lacked_memory() {
   return lacked;
 }
 
-core::TrialReport hdf5_trial(const std::function<std::string()>& work, const core::StopFlag* stop) {
+core::IsolatedReport hdf5_trial(const std::function<std::string()>& work, const core::StopFlag* stop) {
   core::end_if_asked(stop);
-  core::TrialReport trial =
-      core::run_trial(work, hdf5_trial_s, &hdf5_lock(), [stop] { return stop != nullptr && stop->requested(); });
-  if (trial.result == core::TrialResult::stopped) throw core::Interrupted();
+  core::IsolatedReport trial =
+      core::run_isolated(work, hdf5_trial_s, &hdf5_lock(), [stop] { return stop != nullptr && stop->requested(); });
+  if (trial.result == core::IsolatedResult::stopped) throw core::Interrupted();
   return trial;
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "core/os/trial.hpp"
+#include "core/os/isolated.hpp"
 #include "core/report/problem.hpp"
 #include "core/task/stop.hpp"
 
@@ -93,7 +93,7 @@ inline constexpr unsigned hdf5_trial_s = 20;
 /// Tries in a child process what is about to be done with a file in this one. Throws Interrupted where a stop is
 /// requested meanwhile.
 /// @param stop  null: cannot be stopped
-[[nodiscard]] core::TrialReport hdf5_trial(const std::function<std::string()>& work, const core::StopFlag* stop);
+[[nodiscard]] core::IsolatedReport hdf5_trial(const std::function<std::string()>& work, const core::StopFlag* stop);
 
 /// The error for a file whose trial takes more; the file may be sound.
 [[nodiscard]] core::Problem too_much_hdf5_work();

@@ -97,10 +97,10 @@ std::string tried_points(const std::filesystem::path& path, std::uint64_t file_b
 
 std::optional<core::Problem> trial_of_points(const std::filesystem::path& path, std::uint64_t file_bytes,
                                              const core::StopFlag* stop) {
-  const core::TrialReport trial = hdf5_trial([&] { return tried_points(path, file_bytes); }, stop);
-  if (trial.result == core::TrialResult::passed && trial.text == points_sound) return std::nullopt;
-  if (trial.result == core::TrialResult::too_much_work) return too_much_hdf5_work();
-  const char* const what = trial.result == core::TrialResult::crashed ? "crashes on it" : "cannot read all of it";
+  const core::IsolatedReport trial = hdf5_trial([&] { return tried_points(path, file_bytes); }, stop);
+  if (trial.result == core::IsolatedResult::passed && trial.text == points_sound) return std::nullopt;
+  if (trial.result == core::IsolatedResult::too_much_work) return too_much_hdf5_work();
+  const char* const what = trial.result == core::IsolatedResult::crashed ? "crashes on it" : "cannot read all of it";
   return file_problem({}, fmt::format("the file is damaged: the HDF5 library {}", what));
 }
 

@@ -12,13 +12,13 @@
 #include <fmt/format.h>
 
 #include "core/os/input_file.hpp"
-#include "core/os/trial.hpp"
+#include "core/os/isolated.hpp"
 #include "core/task/stop.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/hdf5/hdf5_attributes.hpp"
 #include "raster/hdf5/hdf5_dataset.hpp"
 #include "raster/hdf5/hdf5_numbers.hpp"
-#include "raster/table/axis_words.hpp"
+#include "raster/table/axis_labels.hpp"
 #include "raster/table/cf_attributes.hpp"
 #include "raster/table/described_product.hpp"
 #include "raster/table/file_problem.hpp"
@@ -116,7 +116,7 @@ class Hdf5Raster final : public Raster {
   void try_axes() const {
     if (old_layout_) return;
     const Hdf5Use use;
-    for (const AxisWords& axis : axis_words)
+    for (const AxisLabels& axis : axis_words)
       try_axis(std::string("/") + axis.name, axis.of == AxisOf::columns ? columns() : rows());
     for (const PoseAxis& axis : pose_axes) try_axis(std::string("/") + axis.name, rows(), 3);
   }
@@ -190,7 +190,7 @@ class Hdf5Raster final : public Raster {
     const auto said = meaning_of_axis(read_attributes(axis->id.get(), file_bytes_, true), path, units_of_axis(name),
                                       kind_of_numbers(axis->type.get()));
     const auto* const meaning = std::get_if<AxisMeaning>(&said);
-    if (meaning == nullptr) return std::nullopt;  // Refused before.
+    if (meaning == nullptr) return std::nullopt;  // InvalidRequest before.
     std::vector<double> values(length * width);
     read_axis_part(*axis, path, 0, length, values);
     if (meaning->factor != 1.0 || meaning->offset != 0.0)
@@ -385,7 +385,7 @@ std::optional<core::Problem> problem_of_axis(hid_t file, const std::string& path
 
 std::optional<core::Problem> problem_of_axes(hid_t file, const RasterInfo& info, std::size_t rows,
                                              std::uint64_t file_bytes) {
-  for (const AxisWords& axis : axis_words) {
+  for (const AxisLabels& axis : axis_words) {
     const bool across = axis.of == AxisOf::columns;
     if (auto problem =
             problem_of_axis(file, std::string("/") + axis.name, {across ? info.columns : rows}, axis.units, file_bytes))
@@ -493,7 +493,7 @@ core::Problem lacks_memory(const std::string& what, std::uint64_t own_limit_byte
                         fmt::format("at most {} MB, the limit of this process", own_limit_bytes >> 20U),
                         "raise the limit (ulimit -v)");
   return file_problem({}, "the HDF5 library needs more memory for the file than it is given", what,
-                      fmt::format("at most {} MB more than the program has", core::trial_bytes >> 20U),
+                      fmt::format("at most {} MB more than the program has", core::isolated_bytes >> 20U),
                       "the file is damaged, or stored in very large chunks: h5repack makes them smaller");
 }
 
@@ -522,9 +522,9 @@ OpenedRaster open_hdf5(const std::filesystem::path& path, std::uint64_t file_byt
   // libhdf5 trusts what a file says of itself; a damaged one can make it crash, hang or ask for any amount of memory.
   // So a child process goes first, and this one opens only what the child could read.
   const std::uint64_t own_limit_bytes = core::own_memory_limit_bytes();
-  const core::TrialReport trial = hdf5_trial([&] { return tried(path, file_bytes, hints, own_limit_bytes); }, stop);
-  if (trial.result == core::TrialResult::too_much_work) return refused(path.string(), too_much_hdf5_work());
-  if (trial.result != core::TrialResult::passed)
+  const core::IsolatedReport trial = hdf5_trial([&] { return tried(path, file_bytes, hints, own_limit_bytes); }, stop);
+  if (trial.result == core::IsolatedResult::too_much_work) return refused(path.string(), too_much_hdf5_work());
+  if (trial.result != core::IsolatedResult::passed)
     return refused(path.string(), file_problem({}, "the file is damaged: the HDF5 library crashes on it"));
   if (trial.text.empty())
     return refused(path.string(), file_problem({}, "the file is damaged: the HDF5 library cannot read all of it"));

@@ -83,10 +83,10 @@ bool each_piece(const PlacedRows& file, const Claim& claim, std::size_t step,
       file_problem(file_of(*piece.journal).string(),
                    fmt::format("{} are not what part {} wrote", rows_text(piece.claim.rows), piece.journal->head.part));
   problem.hint = "compute them again: run that part with --resume, or delete its journal and run it anew";
-  throw core::Refused({problem});
+  throw core::InvalidRequest({problem});
 }
 
-// Throws core::Refused for a piece whose bytes are not there.
+// Throws core::InvalidRequest for a piece whose bytes are not there.
 void verify(const std::vector<Piece>& pieces, const RowPlaces& places, const simulate::RunControl& control) {
   core::parallel_ranges(pieces.size(), 1, {core::thread_count(control.threads), control.stop},
                         [&](std::size_t begin, std::size_t end) {
@@ -142,7 +142,7 @@ class Joiner {
         task_.output.string(), is_folder_ ? "something that is not a Zarr store of this program has the output's name"
                                           : "parts can only become a file");
     problem.hint = "give the output another name";
-    throw core::Refused({problem});
+    throw core::InvalidRequest({problem});
   }
 
   // Takes away what a join that fails has made; the parts stay.
@@ -456,7 +456,7 @@ std::vector<Journal> read_journals(const fs::path& folder) {
     else
       journals.push_back(std::move(std::get<Journal>(read)));
   }
-  if (!problems.empty()) throw core::Refused(std::move(problems));
+  if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
   return journals;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/os/raw_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/parts/journal.hpp"
 #include "raster/parts/stored_product.hpp"
@@ -34,7 +34,7 @@ namespace sarsim::raster {
 /// Whether a name in such a folder is that of an unfinished result of a join.
 [[nodiscard]] bool is_left_by_join(const std::string& name);
 
-/// All journals of a folder, by name. @throws core::Refused with everything that is damaged
+/// All journals of a folder, by name. @throws core::InvalidRequest with everything that is damaged
 [[nodiscard]] std::vector<Journal> read_journals(const std::filesystem::path& folder);
 
 /// Removes what parts have left in a folder, and the folder where it is empty then; the description of the recording
@@ -80,7 +80,7 @@ struct Joined {
 /// receipt ".journal" by which a later `--resume` knows it. The parts stay where they are, but for the shared file,
 /// which becomes the output where all rows stand in it.
 /// Where it fails, the parts are all that is left.
-/// @throws core::Refused where rows are not what their journal says, and where the output is there but no file
+/// @throws core::InvalidRequest where rows are not what their journal says, and where the output is there but no file
 Joined join_parts(const JoinTask& task, const simulate::RunControl& control);
 
 /// A finished recording's receipt.

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/os/journal_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/file_problem.hpp"
 
@@ -205,7 +205,7 @@ std::variant<Journal, core::Problem> parse_journal(const std::filesystem::path& 
 
 std::variant<Journal, core::Problem> read_journal(const std::filesystem::path& path) try {
   return parse_journal(path, core::read_journal_file(path));
-} catch (const core::Refused& refused) {
+} catch (const core::InvalidRequest& refused) {
   return refused.problems.front();
 }
 

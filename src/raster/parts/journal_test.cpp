@@ -109,7 +109,7 @@ TEST(Journal, IsAProblemWhereItsFileCannotHoldOne) {
   try {
     static_cast<void>(read_journals(folder.path()));
     FAIL() << "read";
-  } catch (const core::Refused& unfit) {
+  } catch (const core::InvalidRequest& unfit) {
     ASSERT_EQ(unfit.problems.size(), 2U);
     EXPECT_EQ(unfit.problems[0].message, "the file is too large for a journal");
     EXPECT_EQ(unfit.problems[1].found, "a pipe");

@@ -13,7 +13,7 @@
 
 #include "core/os/process.hpp"
 #include "core/os/temporary_files.hpp"
-#include "core/report/for_now.hpp"
+#include "core/report/retryable.hpp"
 #include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
@@ -48,7 +48,7 @@ std::string journal_text(const Journal& journal) {
 // Whether the description in a folder is that of a run; one that is damaged is not.
 bool describes(const fs::path& product, const Identity& identity) try {
   return fs::exists(product) && differences(identity, "", load_product(product).identity, "").empty();
-} catch (const core::Refused&) {
+} catch (const core::InvalidRequest&) {
   return false;
 }
 
@@ -61,7 +61,7 @@ core::Problem not_shared(const fs::path& folder) {
 
 Journal read_again(const Journal& journal) {
   auto read = read_journal(journal.path);
-  if (auto* problem = std::get_if<core::Problem>(&read)) throw core::Refused({std::move(*problem)});
+  if (auto* problem = std::get_if<core::Problem>(&read)) throw core::InvalidRequest({std::move(*problem)});
   return std::move(std::get<Journal>(read));
 }
 
@@ -94,7 +94,7 @@ void PartRun::enter() {
   if (task_.anew && !task_.resume) forget_own(journals_);
   expect_same_run(journals_);
   const bool first = journals_.empty();
-  if (task_.dealt && first) throw core::Refused({not_shared(folder_)});
+  if (task_.dealt && first) throw core::InvalidRequest({not_shared(folder_)});
   std::erase_if(journals_,
                 [&](const Journal& journal) { return journal.path != journal_path() && !meets(journal, task_.range); });
   for (const Journal& journal : journals_) expect_free(journal);
@@ -130,7 +130,7 @@ void PartRun::expect_same_run(const std::vector<Journal>& journals) const {
     if (problems.empty()) continue;
     problems.back().hint =
         fmt::format("run it as it was begun, or delete the folder {} to begin anew", folder_.string());
-    throw core::Refused(std::move(problems));
+    throw core::InvalidRequest(std::move(problems));
   }
 }
 
@@ -147,7 +147,7 @@ void PartRun::expect_free(const Journal& journal) {
             : fmt::format("part {} overlaps part {}, which is being made ({})", task_.words, part, journal.head.maker);
     problem.hint = own ? "wait for it, or end it and go on with --resume"
                        : "wait for it, or choose parts that do not share pulses";
-    throw core::RefusedForNow({problem});
+    throw core::RetryableError({problem});
   }
   if (!task_.resume) {
     const std::size_t rows = journal.claimed_rows();
@@ -155,7 +155,7 @@ void PartRun::expect_free(const Journal& journal) {
         own ? fmt::format("part {} was begun already: {} of its pulses are there", part, rows)
             : fmt::format("part {} overlaps part {}, of which {} pulses are there", task_.words, part, rows);
     problem.hint = fmt::format("go on with --resume, or delete the folder {} to begin anew", folder_.string());
-    throw core::Refused({problem});
+    throw core::InvalidRequest({problem});
   }
   if (own) journal_ = core::JournalFile(std::move(file));
 }
@@ -178,7 +178,7 @@ void PartRun::begin_rows(bool anew) {
   if (earlier != nullptr && earlier->head.store != store_) {
     core::Problem problem = file_problem(journal_path().string(), "use of --part-file differs from the first run");
     problem.hint = fmt::format("go on as it was begun, or delete the folder {}", folder_.string());
-    throw core::Refused({problem});
+    throw core::InvalidRequest({problem});
   }
   if (store_ != RowStore::placed) {
     rows_ = PlacedRows(rows_file_of(journal_path()), {}, core::RawFile::Mode::write);
@@ -258,7 +258,7 @@ PartOutcome PartRun::finish(bool replace, const simulate::RunControl& control) {
   for (const simulate::RowRange& missing : missing_rows({0, rows}, join.journals)) outcome.rows_there -= missing.count;
   if (outcome.rows_there < rows || task_.apart) return outcome;
   if (core::Problems problems = join_problems(join.journals, rows); !problems.empty())
-    throw core::Refused(std::move(problems));
+    throw core::InvalidRequest(std::move(problems));
   outcome.joined = join_parts(join, control);
   remove_parts(folder_);
   return outcome;

@@ -39,8 +39,9 @@ struct PartOutcome {
 class PartRun {
  public:
   /// Enters the folder, which is made where it is missing; reads and verifies what is there.
-  /// @throws core::RefusedForNow where another process makes it, or a part that its range meets
-  /// @throws core::Refused where the part cannot be made here: it was begun and `resume` is not set, its range meets
+  /// @throws core::RetryableError where another process makes it, or a part that its range meets
+  /// @throws core::InvalidRequest where the part cannot be made here: it was begun and `resume` is not set, its range
+  /// meets
   ///         another part, what is there belongs to another run or is damaged
   PartRun(PartTask task, const core::WorkControl& control);
   PartRun(const PartRun&) = delete;
@@ -54,8 +55,8 @@ class PartRun {
   [[nodiscard]] PartWriter& writer() { return *writer_; }
   /// Vouches for everything and, where the recording is whole and nothing is `apart`, completes it. What others vouch
   /// for is read once and held against their checksums.
-  /// @throws core::Refused where it is not what they say; std::runtime_error where the part's own files have gone,
-  /// though
+  /// @throws core::InvalidRequest where it is not what they say; std::runtime_error where the part's own files have
+  /// gone, though
   ///         the recording is not complete
   [[nodiscard]] PartOutcome finish(bool replace, const simulate::RunControl& control);
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include "core/report/for_now.hpp"
+#include "core/report/retryable.hpp"
 #include "raster/format/data_test_support.hpp"
 
 namespace sarsim::raster {
@@ -101,7 +101,7 @@ TEST(PartRun, GoesOnWithWhatItsJournalVouchesFor) {
     early.writer().take(encoded(stored, {0, 2}));
     early.writer().take(encoded(stored, {5, 3}));
   }
-  EXPECT_THROW(PartRun(task, {}), core::Refused);
+  EXPECT_THROW(PartRun(task, {}), core::InvalidRequest);
   task.resume = true;
   PartRun late(task, {});
   EXPECT_THAT(late.missing(), ElementsAre(simulate::RowRange{2, 3}, simulate::RowRange{8, 4}));
@@ -119,7 +119,7 @@ TEST(PartRun, IsRefusedWhileItsRowsAreBeingMade) {
   try {
     const PartRun other(task, {});
     FAIL() << "two parts share row 6";
-  } catch (const core::RefusedForNow& unfit) {
+  } catch (const core::RetryableError& unfit) {
     EXPECT_THAT(unfit.problems.at(0).message, HasSubstr("part b overlaps part a, which is being made"));
   }
   task.range = {7, 5};
@@ -131,7 +131,7 @@ TEST(PartRun, ThatIsDealtRowsNeedsTheJournalOfWhoDealsThem) {
   const StoredProduct stored = stored_as(scene::FileFormat::binary);
   PartTask dealt = task_for(folder / "out", stored, "rank-1", {});
   dealt.dealt = true;
-  EXPECT_THROW(PartRun(dealt, {}), core::Refused);
+  EXPECT_THROW(PartRun(dealt, {}), core::InvalidRequest);
   PartRun leader(task_for(folder / "out", stored, "all", {0, rows}), {});
   PartRun follower(dealt, {});
   EXPECT_TRUE(follower.missing().empty());
@@ -167,7 +167,7 @@ void expect_refused(PartRun& last, const StoredProduct& stored, const TestFolder
   try {
     static_cast<void>(make(last, stored));
     FAIL() << "rows that are not there were published";
-  } catch (const core::Refused& unfit) {
+  } catch (const core::InvalidRequest& unfit) {
     EXPECT_THAT(unfit.problems.at(0).message, HasSubstr("are not what part a wrote"));
   }
   EXPECT_FALSE(fs::exists(folder / "out"));
@@ -273,7 +273,7 @@ TEST(PartRun, DoesNotWriteFilesThatHaveOtherNames) {
     fs::create_hard_link(folder / "victim", parts / (apart ? "all.rows" : "samples"));
     PartTask task = task_for(folder / "out", stored, "all", {0, rows});
     task.apart = apart;
-    EXPECT_THROW(PartRun(task, {}), core::Refused);
+    EXPECT_THROW(PartRun(task, {}), core::InvalidRequest);
     EXPECT_EQ(contents(folder / "victim"), "precious");
   }
 }
@@ -382,7 +382,7 @@ TEST(Joins, LeaveNothingThatKeepsTheNextOneOut) {
 std::string refusal_of(const fs::path& product) {
   try {
     static_cast<void>(load_product(product));
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     const core::Problem& problem = refused.problems.at(0);
     EXPECT_EQ(problem.place.file, product.string());
     EXPECT_FALSE(problem.expected.empty());

@@ -13,7 +13,7 @@
 
 #include "core/hash/checksum.hpp"
 #include "core/os/raw_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/table/file_problem.hpp"
 #include "raster/table/formats.hpp"
 #include "scene/schema/option_words.hpp"
@@ -32,7 +32,7 @@ constexpr std::uint64_t max_bytes = std::uint64_t{1} << 34U;
                          std::string expected) {
   std::string hint = "run one of the parts again with --resume, which writes the file anew";
   if (!found.empty()) hint = "delete it; then " + hint;
-  throw core::Refused(core::Problems{
+  throw core::InvalidRequest(core::Problems{
       file_problem(path.string(), std::move(message), std::move(found), std::move(expected), std::move(hint))});
 }
 

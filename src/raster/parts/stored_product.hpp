@@ -23,7 +23,8 @@ struct StoredProduct {
 void store_product(const std::filesystem::path& path, const StoredProduct& stored);
 
 /// Reads it back.
-/// @throws core::Refused where it is missing, damaged, larger than any or no regular file; std::system_error where the
+/// @throws core::InvalidRequest where it is missing, damaged, larger than any or no regular file; std::system_error
+/// where the
 ///         file cannot be read
 [[nodiscard]] StoredProduct load_product(const std::filesystem::path& path);
 

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/earth/ellipsoid.hpp"
 #include "raster/table/file_problem.hpp"
@@ -393,7 +393,7 @@ std::string file_header(const NitfContent& content, const std::vector<Part>& ima
 }
 
 [[noreturn]] void refuse_size(const NitfContent& content, const char* limit) {
-  throw core::Refused(
+  throw core::InvalidRequest(
       fmt::format("an image of {} x {} pixels is too large for NITF: {}", content.rows, content.columns, limit),
       "focus a smaller area with --azimuth and --range, or name the output .img");
 }

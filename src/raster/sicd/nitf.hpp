@@ -99,7 +99,8 @@ struct NitfLayout {
 [[nodiscard]] std::size_t nitf_rows_of_segment(std::size_t rows, std::size_t columns);
 
 /// Lays a file out: image segments of complex numbers of two 32-bit floats, most significant byte first, I before Q,
-/// then the text. Throws core::Refused for what the format cannot hold: 10^12 bytes, 999 segments, 99 999 999 columns.
+/// then the text. Throws core::InvalidRequest for what the format cannot hold: 10^12 bytes, 999 segments, 99 999 999
+/// columns.
 [[nodiscard]] NitfLayout lay_out_nitf(const NitfContent& content);
 
 }  // namespace sarsim::raster

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/sicd/sicd_test_value.hpp"
 #include "raster/sicd/sicd_writer.hpp"
 
@@ -67,11 +67,11 @@ TEST(LayOutNitf, RefusesWhatTheFormatCannotHold) {
   const NitfContent narrow = nitf_content(sicd_test_value(3, 3));
   NitfContent wide = narrow;
   wide.columns = 100'000'000;
-  EXPECT_THROW((void)lay_out_nitf(wide), core::Refused);
+  EXPECT_THROW((void)lay_out_nitf(wide), core::InvalidRequest);
   NitfContent large = narrow;
   large.rows = 50'000'000;
   large.columns = 20'000;  // 8 TB.
-  EXPECT_THROW((void)lay_out_nitf(large), core::Refused);
+  EXPECT_THROW((void)lay_out_nitf(large), core::InvalidRequest);
 }
 
 }  // namespace nitf_test

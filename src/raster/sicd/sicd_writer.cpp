@@ -8,7 +8,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/report/expect.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 
 namespace sarsim::raster {
 
@@ -57,7 +57,7 @@ SicdWriter::SicdWriter(const std::filesystem::path& path, const Sicd& image, boo
       columns_(image.columns),
       backwards_(backwards) {
   if (!file_.seekable())
-    throw core::Refused(
+    throw core::InvalidRequest(
         "'" + path.string() + "' is a pipe, and a SICD file is not written from its beginning to its end",
         "name a file");
   const std::size_t fitting = std::max(min_held, held_bytes / (rows_ * sizeof(std::complex<float>)));

@@ -18,8 +18,8 @@ namespace sarsim::raster {
 /// Writes a SICD file from an image whose rows are places along the track, one after the other: they become the columns
 /// of the file, for a radar that looks to the left from the last one on. Holds some of them at a time, at most 64 MiB
 /// or 64 rows. The file appears under its name with `finish`; destroyed before, nothing stays behind. The same bytes
-/// for any number of rows that are held. Throws like OutputFile; core::Refused for pipes and for images that NITF
-/// cannot hold.
+/// for any number of rows that are held. Throws like OutputFile; core::InvalidRequest for pipes and for images that
+/// NITF cannot hold.
 class SicdWriter {
  public:
   /// @param backwards  the first row that is appended becomes the last column

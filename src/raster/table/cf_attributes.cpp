@@ -12,7 +12,7 @@
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "core/text/quoted_word.hpp"
-#include "raster/table/axis_words.hpp"
+#include "raster/table/axis_labels.hpp"
 #include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
@@ -294,7 +294,7 @@ std::variant<SampleMeaning, core::Problem> meaning_of_samples(const ArrayAttribu
 
 std::optional<core::Problem> problem_of_dimensions(const std::vector<std::string>& names, const std::string& what) {
   for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 2); ++i) {
-    const AxisWords* const axis = words_of_axis(names[i]);
+    const AxisLabels* const axis = words_of_axis(names[i]);
     if (axis == nullptr || (axis->of == AxisOf::columns) == (i == 1)) continue;
     return file_problem({}, fmt::format("{}: its dimensions are in the wrong order", what),
                         fmt::format("dimension {} is {}", i, names[i]), "rows (pulses) first, then columns",

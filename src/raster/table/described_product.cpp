@@ -6,7 +6,7 @@
 #include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
 #include "core/text/quoted_word.hpp"
-#include "raster/table/axis_words.hpp"
+#include "raster/table/axis_labels.hpp"
 #include "raster/table/file_problem.hpp"
 #include "raster/table/pose_axes.hpp"
 
@@ -78,7 +78,7 @@ class Describer {
  private:
   void add(const std::string& name, Along along, const std::function<double(std::size_t)>& axis) {
     if (!axis) return;
-    const AxisWords* const words = words_of_axis(name);
+    const AxisLabels* const words = words_of_axis(name);
     CORE_EXPECT(words != nullptr);
     described_.arrays.push_back(
         {.name = words->name,
@@ -166,7 +166,7 @@ std::optional<RasterAxes> read_axes(std::size_t rows, std::size_t columns, const
   RasterAxes axes{std::move(*time), std::move(*carrier), {}, {}};
   // The first axis of a kind that the file has.
   const auto find = [&](AxisOf kind, std::size_t length, std::string& name, std::vector<double>& values) {
-    for (const AxisWords& axis : axis_words) {
+    for (const AxisLabels& axis : axis_words) {
       if (axis.of != kind) continue;
       auto found = read(axis.name, length, 1);
       if (!found) continue;

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "raster/table/axis_words.hpp"
+#include "raster/table/axis_labels.hpp"
 #include "simulate/plan/sink.hpp"
 
 namespace sarsim::raster {
@@ -30,7 +30,7 @@ inline constexpr std::array<PoseAxis, 3> pose_axes{
 
 /// What an axis of that name is measured in, as `axis_words` and `pose_axes` have it; empty for another name.
 [[nodiscard]] constexpr std::string_view units_of_axis(std::string_view name) {
-  if (const AxisWords* const words = words_of_axis(name)) return words->units;
+  if (const AxisLabels* const words = words_of_axis(name)) return words->units;
   for (const PoseAxis& axis : pose_axes)
     if (name == axis.name) return axis.units;
   return {};

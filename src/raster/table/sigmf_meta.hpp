@@ -31,7 +31,7 @@ struct SigmfMeta {
 };
 
 /// Reads metadata. The keys of SigMF that locate samples are honoured: `core:header_bytes` of the first capture,
-/// `core:trailing_bytes`, `core:offset`. Refused by name: several channels, metadata without samples, samples
+/// `core:trailing_bytes`, `core:offset`. InvalidRequest by name: several channels, metadata without samples, samples
 /// in a file of another name, headers within the samples, extensions that are not optional, keys of the wrong type or
 /// that are there twice, captures that are not in order.
 /// @param text  of the file of metadata

@@ -239,7 +239,7 @@ void check_route(Findings& findings, const Platform& platform) {
     return findings.error(
         "speed_mps", {.message = "the path has no speed", .found = {}, .expected = "speed = \"100 m/s\"", .hint = {}});
   if (legs && !check_legs(findings, platform)) return;
-  const radar::PathMade made = route_of(platform);
+  const radar::PathResult made = route_of(platform);
   const std::string list = legs ? "legs" : "waypoints";
   if (!made.fault.empty())
     return findings.error(made.at ? entry_of(list, *made.at) : list,

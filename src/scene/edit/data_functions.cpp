@@ -61,7 +61,7 @@ bool same_data(const FunctionUse& a, const FunctionUse& b) {
 
 }  // namespace
 
-std::vector<FunctionUse> functions_of(const KeptObject& object) {
+std::vector<FunctionUse> functions_of(const SharedObject& object) {
   return object.visit([](const auto& any) { return uses(any); });
 }
 

@@ -20,8 +20,8 @@ struct FunctionUse {
 
 /// All user-defined functions of an object, also of alternatives that are not chosen; as many for every object of a
 /// kind, in the same order. They point into the object, which must outlive them.
-[[nodiscard]] std::vector<FunctionUse> functions_of(const KeptObject& object);
-std::vector<FunctionUse> functions_of(const KeptObject&& object) = delete;
+[[nodiscard]] std::vector<FunctionUse> functions_of(const SharedObject& object);
+std::vector<FunctionUse> functions_of(const SharedObject&& object) = delete;
 
 /// Texts of data files that a scene speaks of but that have not been written yet.
 ///

@@ -23,7 +23,7 @@ void add_names(const std::vector<Object>& objects, std::set<std::string>& names)
   for (const Object& object : objects) {
     if constexpr (std::is_same_v<Object, Target>)
       if (object.traits->gain_db.file.empty()) continue;  // there may be millions of targets
-    const KeptObject kept(object);
+    const SharedObject kept(object);
     for (const FunctionUse& function : functions_of(kept))
       if (!function.file->empty()) names.insert(*function.file);
   }

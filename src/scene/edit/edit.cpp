@@ -20,7 +20,7 @@ bool same(const Object& a, const Object& b) {
 template <class Object>
 void change_objects(std::vector<Object>& list, std::span<const ListChange> run) {
   for (const ListChange& change : run)
-    for (const KeptObject* object : {change.out, change.in})
+    for (const SharedObject* object : {change.out, change.in})
       if (object != nullptr && object->get_if<Object>() == nullptr)
         throw std::logic_error("edit: an object is of another kind than its id");
   change_list(
@@ -81,8 +81,8 @@ std::vector<ListChange> list_changes(const Edit& edit, bool forwards) {
   changes.reserve(edit.changes.size());
   for (const ObjectChange& change : edit.changes) {
     if (!change.before && !change.after) throw std::logic_error("edit: a change without an object");
-    const KeptObject* const before = change.before ? &change.before : nullptr;
-    const KeptObject* const after = change.after ? &change.after : nullptr;
+    const SharedObject* const before = change.before ? &change.before : nullptr;
+    const SharedObject* const after = change.after ? &change.after : nullptr;
     changes.push_back(forwards ? ListChange{change.id, before, after} : ListChange{change.id, after, before});
   }
   if (!forwards) std::ranges::reverse(changes);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "scene/edit/text_change.hpp"
-#include "scene/model/kept_object.hpp"
 #include "scene/model/object.hpp"
+#include "scene/model/shared_object.hpp"
 #include "scene/schema/fields.hpp"
 
 namespace sarsim::scene {
@@ -16,8 +16,8 @@ namespace sarsim::scene {
 /// One object put in place of another: before without value inserts at `id`, after without value removes.
 struct ObjectChange {
   ObjectId id;
-  KeptObject before;
-  KeptObject after;
+  SharedObject before;
+  SharedObject after;
 };
 
 /// What a text of format 2 is to say of a field that was typed into.

@@ -14,8 +14,8 @@ namespace sarsim::scene {
 /// One change, in the direction in which it is made: out without value inserts, in without value removes.
 struct ListChange {
   ObjectId id;
-  const KeptObject* out = nullptr;
-  const KeptObject* in = nullptr;
+  const SharedObject* out = nullptr;
+  const SharedObject* in = nullptr;
 
   [[nodiscard]] bool inserts() const { return out == nullptr; }
   [[nodiscard]] bool removes() const { return in == nullptr; }

@@ -21,7 +21,7 @@ PathEdit refused(std::string why) { return {std::nullopt, 0, std::move(why)}; }
 
 // With what makes it impossible to fly, if anything does.
 PathEdit flown(Platform platform, std::size_t point) {
-  const radar::PathMade made = route_of(platform);
+  const radar::PathResult made = route_of(platform);
   if (!made.fault.empty()) return refused(made.fault);
   return {std::move(platform), point, {}};
 }

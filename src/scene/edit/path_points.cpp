@@ -55,7 +55,7 @@ Knob knob_of(const std::function<core::Angle&(Platform&)>& angle, double step_de
 // Where the first `legs` of a platform's legs end; nothing where they cannot be flown.
 std::optional<core::Vec3> end_of(Platform platform, std::size_t legs) {
   platform.legs.resize(legs);
-  const radar::PathMade made = route_of(platform);
+  const radar::PathResult made = route_of(platform);
   return made.fault.empty() && !made.leg_ends_m.empty() ? std::optional(made.leg_ends_m.back()) : std::nullopt;
 }
 

@@ -17,9 +17,9 @@ namespace {
 // What becomes of one object of the script, in a list of its kind. New ones have no stretch.
 struct Entry {
   std::optional<TextStretch> stands;
-  const KeptObject* before = nullptr;  // where replaced
-  const KeptObject* after = nullptr;   // where replaced or new
-  std::size_t change = 0;              // where new: which change holds it, and where in that
+  const SharedObject* before = nullptr;  // where replaced
+  const SharedObject* after = nullptr;   // where replaced or new
+  std::size_t change = 0;                // where new: which change holds it, and where in that
   TextStretch in_change;
 };
 
@@ -287,7 +287,7 @@ class Splicer {
 };
 
 // Puts a new value in the place of an object that an edit leaves behind, also where a later change of it takes that.
-void settle(Edit& edit, std::size_t at, const KeptObject& object) {
+void settle(Edit& edit, std::size_t at, const SharedObject& object) {
   std::optional<ObjectId> id = edit.changes[at].id;
   edit.changes[at].after = object;
   for (std::size_t i = at + 1; i < edit.changes.size(); ++i) {

@@ -29,15 +29,15 @@ struct ListedObject {
   std::size_t row = 0;    // in a list of positions
   std::size_t index = 0;  // in the scene before, of those in the text
   bool is_new = false;
-  const KeptObject* after = nullptr;  // where replaced or new
+  const SharedObject* after = nullptr;  // where replaced or new
 };
 
 using Listed = std::span<const ListedObject>;
 
 // Fields that were typed into: as the text says them, and as it is to say them.
 struct TypedWords {
-  std::vector<SaidField> before;
-  std::vector<SaidField> after;
+  std::vector<FieldText> before;
+  std::vector<FieldText> after;
 };
 
 bool is_position(const TypedText& typed) { return typed.field->spec->key == "position"; }
@@ -286,8 +286,9 @@ class TableSplicer {
     const TypedWords words = words_of(ObjectId{ObjectKind::target, object.index}, before, *object.table, row);
     if (position == before.position_m && words.before.empty()) return std::nullopt;
     const FieldSpec& field = table_of<Target>().field<&Target::position_m>().spec;
-    const Said was{"position", said_value(field, before.position_m, words.before)};
-    return value_after(toml::piece(text_, row.span), &was, {"position", said_value(field, position, words.after)});
+    const Said was{"position", field_value_text(field, before.position_m, words.before)};
+    return value_after(toml::piece(text_, row.span), &was,
+                       {"position", field_value_text(field, position, words.after)});
   }
 
   // The rows of a list that a part keeps, as they are to be.

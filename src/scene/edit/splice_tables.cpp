@@ -117,7 +117,7 @@ class TableChanger {
   bool change(const TypedKey& typed, const std::string& path, const std::vector<Said>& before,
               const std::vector<Said>& after) {
     for (const Said& becomes : after) {
-      const Said* const was = find_said(before, becomes.key);
+      const Said* const was = find_typed(before, becomes.key);
       if (says_same(was, &becomes)) continue;
       const auto found = std::ranges::find(typed.below, becomes.key, &TypedKey::key);
       const bool done =
@@ -125,7 +125,7 @@ class TableChanger {
       if (!done) return false;
     }
     for (const Said& was : before) {
-      if (find_said(after, was.key) != nullptr) continue;
+      if (find_typed(after, was.key) != nullptr) continue;
       const auto found = std::ranges::find(typed.below, was.key, &TypedKey::key);
       if (found != typed.below.end()) remove(*found, false);
     }
@@ -160,7 +160,7 @@ class TableChanger {
   }
 
   static bool same_type(const Said& a, const Said& b) {
-    return says_same(find_said(a.below, "type"), find_said(b.below, "type"));
+    return says_same(find_typed(a.below, "type"), find_typed(b.below, "type"));
   }
 
   [[nodiscard]] bool has_type_of(const TypedKey& typed, const Said* was) const {
@@ -343,7 +343,7 @@ bool would_be_empty(std::string_view text, const ObjectTables& tables, const Obj
                     const std::vector<Said>& before, const std::vector<Said>& after) {
   const TypedKey typed = typed_keys(text, tables.document, table);
   return after.empty() &&
-         std::ranges::all_of(typed.below, [&](const TypedKey& key) { return find_said(before, key.key) != nullptr; });
+         std::ranges::all_of(typed.below, [&](const TypedKey& key) { return find_typed(before, key.key) != nullptr; });
 }
 
 std::string with_ends_of(std::string_view text, std::string lines) {

@@ -134,8 +134,8 @@ std::optional<std::vector<TypedItem>> items_after(std::string_view typed, const 
   for (const toml::Element& element : elements_of(typed, whole_value(typed))) {
     const std::vector<std::string> parts = toml::key_parts(typed, element.key);
     const std::string_view value = toml::piece(typed, element.value.span);
-    const Said* const was = find_said(said, parts.front());
-    const Said* const becomes = find_said(after.below, parts.front());
+    const Said* const was = find_typed(said, parts.front());
+    const Said* const becomes = find_typed(after.below, parts.front());
     const toml::Span at{element.key.begin, element.value.span.end};
     const bool stays = says_same(was, becomes);
     if (!stays && parts.size() > 1) return std::nullopt;
@@ -169,7 +169,7 @@ std::string table_after(std::string_view typed, const Said* before, const Said& 
       const toml::Span key_span{item.at.begin, static_cast<std::uint32_t>(toml::key_end(typed, item.at.begin))};
       return toml::key_parts(typed, key_span).front() == key.key;
     });
-    const Said* const was = before == nullptr ? nullptr : find_said(before->below, key.key);
+    const Said* const was = before == nullptr ? nullptr : find_typed(before->below, key.key);
     if (is_typed || says_same(was, &key)) continue;
     text += (text.empty() ? "" : ", ") + key.key + " = " + inline_text(key);
   }
@@ -230,7 +230,7 @@ void cut_last_rows(TextChanges& changes, std::string_view text, toml::Span rows,
 
 }  // namespace
 
-const Said* find_said(const std::vector<Said>& said, std::string_view key) {
+const Said* find_typed(const std::vector<Said>& said, std::string_view key) {
   const auto found = std::ranges::find(said, key, &Said::key);
   return found == said.end() ? nullptr : &*found;
 }
@@ -241,7 +241,7 @@ bool says_same(const Said* a, const Said* b) {
 }
 
 bool is_type_of(std::string_view typed, const Said* before) {
-  const Said* const type = before == nullptr ? nullptr : find_said(before->below, "type");
+  const Said* const type = before == nullptr ? nullptr : find_typed(before->below, "type");
   if (type == nullptr || !typed.starts_with('"')) return true;
   return toml::decoded_string(typed, whole_value(typed)) == toml::decoded_string(type->text, whole_value(type->text));
 }

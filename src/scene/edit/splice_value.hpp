@@ -13,7 +13,7 @@
 namespace sarsim::scene::format_2 {
 
 /// Of several things that the writer says, that of one key; null where there is none.
-[[nodiscard]] const Said* find_said(const std::vector<Said>& said, std::string_view key);
+[[nodiscard]] const Said* find_typed(const std::vector<Said>& said, std::string_view key);
 
 /// Whether two say the same; null says nothing.
 [[nodiscard]] bool says_same(const Said* a, const Said* b);

@@ -216,7 +216,7 @@ std::vector<double> sample_times(double first_s, double last_s, double spacing_s
   return time_s;
 }
 
-std::variant<SpacingChoice, Problem> spacing_for(const MotionPath& path, const SpacingWish& wish) {
+std::variant<SpacingChoice, Problem> spacing_for(const MotionPath& path, const SpacingRequest& wish) {
   constexpr std::size_t fewest_places = 4000;
   const double length_s = wish.last_s - wish.first_s;
   if (!(length_s > 0.0) || !std::isfinite(length_s) || !(wish.error_m > 0.0))

@@ -54,7 +54,7 @@ struct InterpolationError {
 [[nodiscard]] std::vector<double> sample_times(double first_s, double last_s, double spacing_s);
 
 /// What is asked for.
-struct SpacingWish {
+struct SpacingRequest {
   double error_m = 0.0;  ///< The largest error of position must be below this.
   double first_s = 0.0;
   double last_s = 0.0;
@@ -73,6 +73,7 @@ struct SpacingChoice {
 /// 1/4000 of the time may be missed. Calls the path about twice for each of these, in the worst case 12 times
 /// `max_samples`. Refuses a limit that no spacing reaches within that many samples or within the rounding of
 /// coordinates, and what `interpolation_error` refuses.
-[[nodiscard]] std::variant<SpacingChoice, core::Problem> spacing_for(const MotionPath& path, const SpacingWish& wish);
+[[nodiscard]] std::variant<SpacingChoice, core::Problem> spacing_for(const MotionPath& path,
+                                                                     const SpacingRequest& wish);
 
 }  // namespace sarsim::scene

@@ -33,13 +33,13 @@ core::Problem problem_of(const MotionPath& path, const std::vector<double>& time
   return problem == nullptr ? core::Problem{} : *problem;
 }
 
-SpacingChoice spacing_of(const MotionPath& path, const SpacingWish& wish) {
+SpacingChoice spacing_of(const MotionPath& path, const SpacingRequest& wish) {
   const auto found = spacing_for(path, wish);
   if (const auto* const problem = std::get_if<core::Problem>(&found)) ADD_FAILURE() << core::to_string(*problem);
   return std::get<SpacingChoice>(found);
 }
 
-core::Problem spacing_problem(const MotionPath& path, const SpacingWish& wish) {
+core::Problem spacing_problem(const MotionPath& path, const SpacingRequest& wish) {
   const auto found = spacing_for(path, wish);
   const auto* const problem = std::get_if<core::Problem>(&found);
   EXPECT_NE(problem, nullptr);

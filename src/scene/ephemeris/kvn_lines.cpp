@@ -94,7 +94,7 @@ std::optional<radar::CivilTime> time_in(const KvnBlock& block, std::string_view 
 
 }  // namespace
 
-SaidTimes read_said_times(const KvnBlock& block, std::optional<radar::TimeScale> scale, FileProblems& problems) {
+TypedTimes read_typed_times(const KvnBlock& block, std::optional<radar::TimeScale> scale, FileProblems& problems) {
   return {{"START_TIME", time_in(block, "START_TIME", scale, problems), block.value("START_TIME")},
           {"STOP_TIME", time_in(block, "STOP_TIME", scale, problems), block.value("STOP_TIME")}};
 }

@@ -57,8 +57,8 @@ class KvnBlock {
 };
 
 /// Reads START_TIME and STOP_TIME.
-[[nodiscard]] SaidTimes read_said_times(const KvnBlock& block, std::optional<radar::TimeScale> scale,
-                                        FileProblems& problems);
+[[nodiscard]] TypedTimes read_typed_times(const KvnBlock& block, std::optional<radar::TimeScale> scale,
+                                          FileProblems& problems);
 
 /// Reads USEABLE_START_TIME and USEABLE_STOP_TIME.
 [[nodiscard]] UsableRange read_usable(const KvnBlock& block, std::optional<radar::TimeScale> scale,

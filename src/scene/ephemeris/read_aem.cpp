@@ -136,7 +136,7 @@ class AemReader {
     file_.segments.emplace_back();
     read_type();
     read_frames();
-    said_.push_back(read_said_times(metadata_, file_.scale, problems_));
+    said_.push_back(read_typed_times(metadata_, file_.scale, problems_));
     file_.segments.back().usable = read_usable(metadata_, file_.scale, problems_);
     const bool old_key = metadata_.value("INTERPOLATION_METHOD").empty();
     file_.segments.back().interpolation =
@@ -263,14 +263,14 @@ class AemReader {
       problems_.error(last_, {"the file holds no attitudes", "", "times with quaternions", ""});
   }
 
-  void examine(const std::vector<AttitudeState>& states, const SaidTimes& said, const std::string_view* at) {
+  void examine(const std::vector<AttitudeState>& states, const TypedTimes& said, const std::string_view* at) {
     std::vector<double> time_s;
     for (const AttitudeState& state : states) time_s.push_back(radar::seconds_between(states.front().time, state.time));
     const SampleSteps steps = steps_of(time_s);
     const auto time_text = [&](std::size_t i) { return radar::format_civil(states[i].time); };
     report_gaps(steps, "attitude", time_text, at, problems_);
-    check_said_times(said, states.front().time, states.back().time, time_s.size() < 3 ? time_s.back() : steps.usual_s,
-                     problems_);
+    check_typed_times(said, states.front().time, states.back().time, time_s.size() < 3 ? time_s.back() : steps.usual_s,
+                      problems_);
   }
 
   static constexpr double largest_error = 1e-3;
@@ -281,7 +281,7 @@ class AemReader {
   KvnBlock header_{aem_header_keys};
   KvnBlock metadata_{aem_keys};
   std::vector<std::string_view> begins_;  // of the segments
-  std::vector<SaidTimes> said_;           // of the segments
+  std::vector<TypedTimes> said_;          // of the segments
   std::vector<std::string_view> at_;      // of the attitudes, all segments
   Part part_ = Part::version;
   int version_ = 0;

@@ -39,7 +39,7 @@ class EofReader {
     if (!frame_seen_ && !problems_.has_errors())
       problems_.warning({}, {"Ref_Frame is missing", "", "<Ref_Frame>EARTH_FIXED</Ref_Frame>",
                              "the positions are taken as fixed to the Earth"});
-    collector_.said_times(said_);
+    collector_.typed_times(said_);
     collector_.finish(text_.substr(0, 0));
     return std::move(file_);
   }
@@ -71,8 +71,8 @@ class EofReader {
     return text;
   }
 
-  SaidTime said_time(std::string_view name, std::string_view text) {
-    SaidTime said{name, std::nullopt, text};
+  TypedTime parsed_time(std::string_view name, std::string_view text) {
+    TypedTime said{name, std::nullopt, text};
     radar::CivilTime time;
     if (read_time(without_scale(text, "UTC="), name, radar::TimeScale::utc, problems_, time)) said.time = time;
     return said;
@@ -80,9 +80,9 @@ class EofReader {
 
   void take_header(std::string_view name, std::string_view text) {
     if (name == "Validity_Start") {
-      said_.first = said_time(name, text);
+      said_.first = parsed_time(name, text);
     } else if (name == "Validity_Stop") {
-      said_.last = said_time(name, text);
+      said_.last = parsed_time(name, text);
     } else if (name == "Mission") {
       if (const auto plain = without_entities(text))
         file_.object_name = core::clipped(*plain);
@@ -178,7 +178,7 @@ class EofReader {
   bool frame_seen_ = false;
   FileProblems::Mark quality_ = 0;
   FileProblems::Mark clocks_ = 0;
-  SaidTimes said_;
+  TypedTimes said_;
   std::string_view tai_;
 };
 

@@ -37,7 +37,7 @@ class OemContent {
     EphemerisSegment& segment = collector_.begin_segment(metadata_.at());
     check_centre(metadata_.required("CENTER_NAME", problems_), problems_);
     read_axes();
-    collector_.said_times(read_said_times(metadata_, file_.scale, problems_));
+    collector_.typed_times(read_typed_times(metadata_, file_.scale, problems_));
     segment.usable = read_usable(metadata_, file_.scale, problems_);
     segment.interpolation = read_interpolation_hint(metadata_, "INTERPOLATION", problems_);
     if (file_.object_name.empty()) file_.object_name = name;

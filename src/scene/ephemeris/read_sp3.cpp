@@ -66,7 +66,7 @@ class Sp3Reader {
                       {missing_ > 0 ? fmt::format("no record of satellite {} has a position", wanted_)
                                     : fmt::format("the file has no records of satellite {}", wanted_),
                        "", "lines that begin with P" + wanted_, "its head names the satellite; is the file cut off?"});
-    collector_.said_times({{"the time of the first line", first_, first_at_}, {}});
+    collector_.typed_times({{"the time of the first line", first_, first_at_}, {}});
     collector_.finish(last_);
     report_counts();
     return std::move(file_);

@@ -226,13 +226,13 @@ void StateCollector::examine(std::size_t segment) {
   report_odd(findings.odd, one, at);
   report_gaps(findings.steps, one, at);
   if (file_.form == TimeForm::civil)
-    check_said_times(said_[segment], first.time, one.states.back().time,
-                     time_s.size() < 3 ? time_s.back() : findings.steps.usual_s, problems_);
+    check_typed_times(said_[segment], first.time, one.states.back().time,
+                      time_s.size() < 3 ? time_s.back() : findings.steps.usual_s, problems_);
 }
 
-void check_said_times(const SaidTimes& said, const radar::CivilTime& first, const radar::CivilTime& last, double step_s,
-                      FileProblems& problems) {
-  const auto check = [&](const SaidTime& one, const radar::CivilTime& time, const char* which) {
+void check_typed_times(const TypedTimes& said, const radar::CivilTime& first, const radar::CivilTime& last,
+                       double step_s, FileProblems& problems) {
+  const auto check = [&](const TypedTime& one, const radar::CivilTime& time, const char* which) {
     if (!one.time || std::abs(radar::seconds_between(*one.time, time)) <= std::max(step_s, 1.0)) return;
     problems.warning(
         one.at, {fmt::format("{} is not the time of the {} sample", one.key, which), radar::format_civil(*one.time),

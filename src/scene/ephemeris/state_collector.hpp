@@ -35,7 +35,7 @@ class StateCollector {
   void add(const EphemerisState& state, std::string_view time_at, std::string_view position_at);
 
   /// Sets the times that the header gives for the last segment.
-  void said_times(const SaidTimes& said) {
+  void typed_times(const TypedTimes& said) {
     if (!said_.empty()) said_.back() = said;
   }
 
@@ -65,7 +65,7 @@ class StateCollector {
   std::string unit_;
   bool without_earth_;
   std::vector<std::string_view> begins_;  // of the segments
-  std::vector<SaidTimes> said_;           // of the segments
+  std::vector<TypedTimes> said_;          // of the segments
   std::vector<std::string_view> at_;      // of the states, all segments
   std::size_t states_ = 0;
   FileProblems::Mark unordered_ = 0;

@@ -116,7 +116,7 @@ class Offers {
   [[nodiscard]] const PathFacts* facts_of(std::string_view path) const;
   [[nodiscard]] const PathFacts* facts_of_value() const;
   [[nodiscard]] bool is_said(std::string_view path) const;
-  [[nodiscard]] std::string said_type(std::string_view choice) const;
+  [[nodiscard]] std::string typed_type(std::string_view choice) const;
   [[nodiscard]] bool is_excluded(const PathFacts& facts) const;
   [[nodiscard]] std::string meaning_of(const std::string& path) const;
   [[nodiscard]] std::string table_of_type(const PathFacts& choice, const Choice& alternative) const;
@@ -146,8 +146,8 @@ void Offers::enter_list() {
   const auto below = [&](const std::string& whole) {
     return is_inside(whole, path) ? whole.substr(path.size() + 1) : std::string();
   };
-  std::erase_if(cursor_.said, [&](const SaidKey& said) { return said.rows != entry || !is_inside(said.path, path); });
-  for (SaidKey& said : cursor_.said) said.path = below(said.path);
+  std::erase_if(cursor_.said, [&](const KeyText& said) { return said.rows != entry || !is_inside(said.path, path); });
+  for (KeyText& said : cursor_.said) said.path = below(said.path);
   cursor_.table = below(cursor_.table);
   cursor_.path = below(cursor_.path);
   cursor_.rows.erase(cursor_.rows.begin());
@@ -206,17 +206,17 @@ const PathFacts* Offers::facts_of(std::string_view path) const {
 }
 
 bool Offers::is_said(std::string_view path) const {
-  return std::ranges::any_of(cursor_.said, [&](const SaidKey& said) { return said.path == path; });
+  return std::ranges::any_of(cursor_.said, [&](const KeyText& said) { return said.path == path; });
 }
 
 // The type that the text gives to a choice; empty where it gives none, or one that there is not.
-std::string Offers::said_type(std::string_view choice) const {
+std::string Offers::typed_type(std::string_view choice) const {
   const PathFacts* const facts = facts_of(choice);
   if (facts == nullptr) return {};
   const std::string type_path = fmt::format("{}.{}", choice, type_key);
   std::string word;
   bool by_value = false;
-  for (const SaidKey& said : cursor_.said) {
+  for (const KeyText& said : cursor_.said) {
     if (said.path == type_path || (said.path == choice && !said.word.empty())) word = said.word;
     by_value = by_value || said.path == choice;
   }
@@ -228,7 +228,7 @@ std::string Offers::said_type(std::string_view choice) const {
 // Another type was chosen.
 bool Offers::is_excluded(const PathFacts& facts) const {
   return std::ranges::any_of(dependences(*table_, facts), [&](const Dependence& on) {
-    const std::string type = said_type(on.choice);
+    const std::string type = typed_type(on.choice);
     return !type.empty() && std::ranges::find(on.words, type) == on.words.end();
   });
 }

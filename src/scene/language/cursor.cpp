@@ -132,9 +132,9 @@ class CursorScan {
     return true;
   }
   // The key whose value begins here; null where that is at the place, or this an element of its array.
-  SaidKey* key_at(const std::string& path) {
+  KeyText* key_at(const std::string& path) {
     if (cursor_.said.empty()) return nullptr;
-    SaidKey& last = cursor_.said.back();
+    KeyText& last = cursor_.said.back();
     return last.path == path && last.rows == rows_ ? &last : nullptr;
   }
   void found_word(std::size_t begin, std::size_t end) {
@@ -297,7 +297,7 @@ void CursorScan::string(const std::string& path) {
     cursor_.complete = closed;
     found_word(begin, end);
   }
-  if (SaidKey* const key = key_at(path)) key->word = text_.substr(begin, end - begin);
+  if (KeyText* const key = key_at(path)) key->word = text_.substr(begin, end - begin);
   at_ = closed ? quotes.end : end;
 }
 
@@ -309,7 +309,7 @@ void CursorScan::word(const std::string& path) {
     cursor_.path = path;
     found_word(begin, at_);
   }
-  if (SaidKey* const key = key_at(path)) key->word = text_.substr(begin, at_ - begin);
+  if (KeyText* const key = key_at(path)) key->word = text_.substr(begin, at_ - begin);
 }
 
 void CursorScan::array(const std::string& path) {

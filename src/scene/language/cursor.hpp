@@ -21,7 +21,7 @@ enum class Site {
 };
 
 /// A key of an object, with its value where that is a single one.
-struct SaidKey {
+struct KeyText {
   std::string path;                    ///< Below the object: "pulse.type".
   std::string word;                    ///< Without quotes; empty for tables and arrays.
   std::vector<std::size_t> rows = {};  ///< As `Cursor::rows`: of a key of a table in an array, which of these.
@@ -42,7 +42,7 @@ struct Cursor {
   bool complete = false;          ///< A key has its equals sign, a string its closing quote, a header its brackets.
   bool alone = false;             ///< A key of one part, or none, on a line with nothing else: it may become a header.
   std::vector<std::size_t> rows;  ///< Within arrays: which element of each, the outer array first.
-  std::vector<SaidKey> said;      ///< What else the text says of the object, before the place or behind it.
+  std::vector<KeyText> said;      ///< What else the text says of the object, before the place or behind it.
 };
 
 /// What stands at a place. Reads the object around it alone.

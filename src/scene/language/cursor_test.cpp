@@ -68,7 +68,7 @@ TEST(Cursor, ReadsWhatElseIsSaidOfTheObject) {
       "[[radar]]\nname = \"R\"\npulse = { type = \"chirp\" }\n|\n[radar.beam]\ntype = \"fixed\"\n[[target]]\nrcs = "
       "1\n");
   std::vector<std::string> said;
-  for (const SaidKey& one : cursor.said) said.push_back(fmt::format("{}={}", one.path, one.word));
+  for (const KeyText& one : cursor.said) said.push_back(fmt::format("{}={}", one.path, one.word));
   EXPECT_THAT(said, ElementsAre("name=R", "pulse=", "pulse.type=chirp", "beam=", "beam.type=fixed"));
   EXPECT_TRUE(cursor.alone);
 }

@@ -78,7 +78,7 @@ std::string list_text(const ConstListRef& list);
 template <class Object>
 class ObjectNodes {
  public:
-  ObjectNodes(const Object& object, Saying saying, std::span<const SaidField> also)
+  ObjectNodes(const Object& object, Saying saying, std::span<const FieldText> also)
       : object_(object), saying_(saying), also_(also) {
     const FieldTable<Object>& table = table_of<Object>();
     for (const FieldOf<Object>& field : table.fields())
@@ -102,7 +102,7 @@ class ObjectNodes {
     }
     static const Object initial{};
     const bool is_wanted =
-        is_always_said(table, field) || std::ranges::find(also_, &spec, &SaidField::field) != also_.end();
+        is_always_said(table, field) || std::ranges::find(also_, &spec, &FieldText::field) != also_.end();
     const bool is_default = !is_wanted && value == field.get(initial);
     if (const std::size_t bracket = key.find('['); bracket != std::string_view::npos)
       return add_listed(spec, key.substr(0, bracket), value, is_default);
@@ -113,7 +113,7 @@ class ObjectNodes {
       return;
     }
     if (spec.type == FieldType::choice && has_words(spec)) return add_choice(key, spec, value, is_default);
-    set(key, said_value(spec, value, also_), is_default);
+    set(key, field_value_text(spec, value, also_), is_default);
   }
 
   // Names, what has no default, and a choice that is there at all only because another one of the same key is not
@@ -134,7 +134,7 @@ class ObjectNodes {
   void add_listed(const FieldSpec& spec, std::string_view key, const FieldValue& value, bool is_default) {
     Said& node = node_at(nodes_, key);
     if (node.text.empty()) node.is_default = true;
-    node.text += (node.text.empty() ? "[" : ", ") + said_value(spec, value, also_);
+    node.text += (node.text.empty() ? "[" : ", ") + field_value_text(spec, value, also_);
     node.is_default = node.is_default && is_default;
     const std::size_t last = spec.type == FieldType::vector ? 2 : 1;
     if (spec.key[spec.key.find('[') + 1] == static_cast<char>('0' + last)) {
@@ -156,7 +156,7 @@ class ObjectNodes {
 
   const Object& object_;
   Saying saying_;
-  std::span<const SaidField> also_;
+  std::span<const FieldText> also_;
   std::vector<Said> nodes_;
 };
 
@@ -216,7 +216,7 @@ void append_nodes(std::string& text, const std::vector<Said>& nodes, const std::
 }
 
 template <class Object>
-std::vector<Said> nodes_of_object(const Object& object, Saying saying, std::span<const SaidField> also = {}) {
+std::vector<Said> nodes_of_object(const Object& object, Saying saying, std::span<const FieldText> also = {}) {
   std::vector<Said> nodes = ObjectNodes<Object>(object, saying, also).take();
   complete_choices(object, nodes, "");
   return nodes;
@@ -308,20 +308,20 @@ std::string lines_of(const Said& said, const std::string& header) {
   return text;
 }
 
-std::vector<Said> said_of(const AnyObject& object, std::span<const SaidField> also) {
+std::vector<Said> said_of(const AnyObject& object, std::span<const FieldText> also) {
   return std::visit([&](const auto& any) { return nodes_of_object(any, Saying::differences, also); }, object);
 }
 
-std::vector<Said> said_of(const RunOptions& options, std::span<const SaidField> also) {
+std::vector<Said> said_of(const RunOptions& options, std::span<const FieldText> also) {
   return nodes_of_object(options, Saying::differences, also);
 }
 
-std::vector<Said> said_of(const Atmosphere& atmosphere, std::span<const SaidField> also) {
+std::vector<Said> said_of(const Atmosphere& atmosphere, std::span<const FieldText> also) {
   return nodes_of_object(atmosphere, Saying::differences, also);
 }
 
 // An anchor that nobody has said stays so, and is warned of.
-std::vector<Said> said_of(const World& world, std::span<const SaidField> also) {
+std::vector<Said> said_of(const World& world, std::span<const FieldText> also) {
   std::vector<Said> nodes = nodes_of_object(world, Saying::differences, also);
   if (!(world.latitude == World{}.latitude && world.longitude == World{}.longitude) || !also.empty()) return nodes;
   const auto anchor = std::ranges::find(nodes, "anchor", &Said::key);
@@ -331,9 +331,9 @@ std::vector<Said> said_of(const World& world, std::span<const SaidField> also) {
   return nodes;
 }
 
-std::string said_value(const FieldSpec& field, const FieldValue& value, std::span<const SaidField> words) {
+std::string field_value_text(const FieldSpec& field, const FieldValue& value, std::span<const FieldText> words) {
   const auto word_of = [&](std::size_t part) -> const std::string* {
-    const auto is_it = [&](const SaidField& said) {
+    const auto is_it = [&](const FieldText& said) {
       return said.field == &field && said.part == part && !said.text.empty();
     };
     const auto found = std::ranges::find_if(words, is_it);

@@ -35,7 +35,7 @@ struct Said {
 };
 
 /// A field that is said even where it is at its default.
-struct SaidField {
+struct FieldText {
   const FieldSpec* field = nullptr;  ///< Of the object's table.
   std::size_t part = 0;              ///< Of a vector: 0 to 2.
   std::string text = {};             ///< Of its number, with the quotes; empty: as the writer says it.
@@ -43,14 +43,15 @@ struct SaidField {
 
 /// What the writer says of an object, of options or of the atmosphere that is not at its default, in its order.
 /// @param also  further fields to say, and with which words
-[[nodiscard]] std::vector<Said> said_of(const AnyObject& object, std::span<const SaidField> also = {});
-[[nodiscard]] std::vector<Said> said_of(const RunOptions& options, std::span<const SaidField> also = {});
-[[nodiscard]] std::vector<Said> said_of(const Atmosphere& atmosphere, std::span<const SaidField> also = {});
-[[nodiscard]] std::vector<Said> said_of(const World& world, std::span<const SaidField> also = {});
+[[nodiscard]] std::vector<Said> said_of(const AnyObject& object, std::span<const FieldText> also = {});
+[[nodiscard]] std::vector<Said> said_of(const RunOptions& options, std::span<const FieldText> also = {});
+[[nodiscard]] std::vector<Said> said_of(const Atmosphere& atmosphere, std::span<const FieldText> also = {});
+[[nodiscard]] std::vector<Said> said_of(const World& world, std::span<const FieldText> also = {});
 
 /// What the writer says of one field.
 /// @param words  for the field or parts of it
-[[nodiscard]] std::string said_value(const FieldSpec& field, const FieldValue& value, std::span<const SaidField> words);
+[[nodiscard]] std::string field_value_text(const FieldSpec& field, const FieldValue& value,
+                                           std::span<const FieldText> words);
 
 /// The value of a key in one line, a table as an inline one.
 [[nodiscard]] std::string inline_text(const Said& said);

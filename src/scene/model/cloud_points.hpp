@@ -7,7 +7,7 @@
 
 #include "core/maths/vector.hpp"
 #include "radar/earth/earth_frame.hpp"
-#include "radar/echo/sight.hpp"
+#include "radar/echo/view_geometry.hpp"
 #include "scene/model/scene.hpp"
 
 namespace sarsim::scene {

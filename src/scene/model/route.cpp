@@ -33,13 +33,13 @@ radar::Leg leg_of(const Leg& leg) {
   return radar::StraightLeg{given(leg.duration_s), given(leg.length_m), leg.acceleration_mps2};
 }
 
-radar::PathMade legs_of(const Platform& platform) {
+radar::PathResult legs_of(const Platform& platform) {
   std::vector<radar::Leg> legs;
   for (const Leg& leg : platform.legs) legs.push_back(leg_of(leg));
   return radar::leg_path({platform.start_s, platform.start_m, platform.course.rad(), platform.speed_mps}, legs);
 }
 
-radar::PathMade waypoints_of(const Platform& platform) {
+radar::PathResult waypoints_of(const Platform& platform) {
   radar::WaypointRoute route{platform.start_s, {}, platform.speed_mps, platform.bank.rad(), platform.acceleration_mps2};
   for (const Waypoint& point : platform.waypoints)
     route.waypoints.push_back({point.position_m, given(point.speed_mps)});
@@ -48,7 +48,7 @@ radar::PathMade waypoints_of(const Platform& platform) {
 
 }  // namespace
 
-radar::PathMade route_of(const Platform& platform) {
+radar::PathResult route_of(const Platform& platform) {
   return platform.path == Platform::Path::legs ? legs_of(platform) : waypoints_of(platform);
 }
 

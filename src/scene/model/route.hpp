@@ -7,6 +7,6 @@ namespace sarsim::scene {
 
 /// The path of a platform with Path::legs or Path::waypoints; the fault says which leg or point cannot be flown and
 /// why.
-[[nodiscard]] radar::PathMade route_of(const Platform& platform);
+[[nodiscard]] radar::PathResult route_of(const Platform& platform);
 
 }  // namespace sarsim::scene

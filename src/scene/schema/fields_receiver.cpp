@@ -1,4 +1,4 @@
-#include "core/maths/window_words.hpp"
+#include "core/maths/window_labels.hpp"
 #include "scene/schema/fields_radar.hpp"
 
 namespace sarsim::scene::radar_fields {

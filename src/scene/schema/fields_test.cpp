@@ -342,7 +342,7 @@ TEST(Fields, ChoicesAreMatchedWithoutCaseAndByAUniqueBeginning) {
   EXPECT_EQ(field_text(object, "window"), "Hann");
 }
 
-struct Refused {
+struct InvalidRequest {
   ObjectKind kind;
   const char* id;
   const char* text;
@@ -350,7 +350,7 @@ struct Refused {
 };
 
 TEST(Fields, WhatCannotBeSetIsRefusedInWordsAndChangesNothing) {
-  const Refused table[] = {
+  const InvalidRequest table[] = {
       {ObjectKind::radar, "window", "Ha", "'Ha' can mean Hann or Hamming"},
       {ObjectKind::radar, "pulse", "Chrip", "did you mean Chirp?"},
       {ObjectKind::radar, "pulse", "", "nothing is chosen; expected Monochrome, Chirp"},
@@ -374,7 +374,7 @@ TEST(Fields, WhatCannotBeSetIsRefusedInWordsAndChangesNothing) {
       {ObjectKind::simulation, "sample_rate_hz", "0", "above 0"},
       {ObjectKind::simulation, "oversampling", "0.5", "1 to 100"},
   };
-  for (const Refused& refused : table) {
+  for (const InvalidRequest& refused : table) {
     const AnyObject before = made_to_apply(initial(refused.kind), refused.id);
     AnyObject object = before;
     const std::string failure = set_field(object, refused.id, refused.text);

@@ -5,14 +5,14 @@
 namespace sarsim::scene {
 
 /// What scripts call the two ends of a range window.
-struct WindowWords {
+struct WindowLabels {
   std::string_view range_start;
   std::string_view range_end;
 };
 
 /// Adds the fields of the window that a recording and a geometry table look through.
 template <class Product>
-void add_window(FieldTable<Product>& table, const WindowWords& words) {
+void add_window(FieldTable<Product>& table, const WindowLabels& words) {
   constexpr std::string_view range_tip =
       "One-way slant range: c/2 times the delay. A pulse of length Tp covers c Tp/2 of it.";
   constexpr std::string_view time_tip =

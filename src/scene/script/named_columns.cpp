@@ -27,12 +27,12 @@ constexpr std::string_view any_gain_words = "gain g value y";
 bool is_of_intervals(const FunctionBlock& block) { return block.list_key == "intervals"; }
 
 // The words for x, and for each of the values.
-struct AxisWords {
+struct AxisLabels {
   std::string_view x;
   std::array<std::string_view, 3> y;
 };
 
-AxisWords words_of(const FunctionBlock& block) {
+AxisLabels words_of(const FunctionBlock& block) {
   constexpr std::array<std::string_view, 3> places{"x east easting e", "y north northing n",
                                                    "z up u height altitude h alt"};
   constexpr std::array<std::string_view, 3> angles{"x rx roll", "y ry pitch", "z rz yaw heading"};
@@ -310,7 +310,7 @@ class ColumnNames {
   const FunctionBlock& block_;
   const std::vector<ColumnHeading>& headings_;
   std::vector<std::size_t> axes_;
-  AxisWords words_;
+  AxisLabels words_;
   bool both_cuts_ = false;
   bool two_of_pulse_ = false;
   std::vector<std::optional<std::size_t>> meanings_;

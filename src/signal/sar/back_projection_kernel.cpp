@@ -14,7 +14,7 @@
 
 #include <hwy/highway.h>
 
-#include "signal/sar/stretch_rows-inl.hpp"
+#include "signal/sar/resample_rows-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sarsim::signal::HWY_NAMESPACE {
@@ -185,7 +185,7 @@ HWY_INLINE FloatVec weight_at(FloatVec j, const StretchTerms& t, bool table) {
 }
 
 template <Weighting weighting, class Records>
-HWY_INLINE void add_stretch(const StretchRows& rows, std::size_t row, const StretchTerms& t, float first,
+HWY_INLINE void add_stretch(const ResampleRows& rows, std::size_t row, const StretchTerms& t, float first,
                             std::size_t count, float* HWY_RESTRICT re, float* HWY_RESTRICT im,
                             float* HWY_RESTRICT weight) {
   const FloatTag d;
@@ -219,7 +219,7 @@ HWY_INLINE void add_stretch(const StretchRows& rows, std::size_t row, const Stre
 }
 
 // The place of a row in the aperture; false where nothing of the stretch is in it.
-HWY_INLINE bool place_row(const StretchRows& rows, std::size_t row, double half, Weighting& weighting,
+HWY_INLINE bool place_row(const ResampleRows& rows, std::size_t row, double half, Weighting& weighting,
                           StretchTerms& t) {
   const double begin = rows.place_begin[row];
   const double middle = rows.place_middle[row];
@@ -235,7 +235,7 @@ HWY_INLINE bool place_row(const StretchRows& rows, std::size_t row, double half,
 }
 
 // The terms of one row; false where nothing of the stretch meets the pulse's records or its aperture.
-HWY_INLINE bool terms_of_row(const StretchRows& rows, std::size_t row, double half,
+HWY_INLINE bool terms_of_row(const ResampleRows& rows, std::size_t row, double half,
                              const ProjectionConstants& constants, const ProjectionPulse& pulse, Weighting& weighting,
                              StretchTerms& t) {
   if (weighting == Weighting::none && static_cast<Reach>(rows.reach[row]) == Reach::beside) return false;
@@ -249,7 +249,7 @@ HWY_INLINE bool terms_of_row(const StretchRows& rows, std::size_t row, double ha
 }
 
 template <class Records>
-HWY_INLINE void add_row(Weighting weighting, const StretchRows& rows, std::size_t row, const StretchTerms& t,
+HWY_INLINE void add_row(Weighting weighting, const ResampleRows& rows, std::size_t row, const StretchTerms& t,
                         float first, std::size_t count, std::size_t at, ProjectionTile& tile) {
   float* re = tile.re.data() + at;
   float* im = tile.im.data() + at;
@@ -269,7 +269,7 @@ void project_stretches(std::span<const ProjectionPulse> pulses, const Projection
   const double half = 0.5 * static_cast<double>(stretch);
   const auto first = static_cast<float>(-half);
   const Weighting wanted = weighting_of(aperture);
-  StretchRows rows;
+  ResampleRows rows;
   StretchTerms t{};
   t.weights = aperture.weights.data();
   for (const ProjectionPulse& pulse : pulses) {

@@ -154,7 +154,7 @@ void set_azimuth_axis(FocusFrame& frame) {
 }
 
 // The size of a transform back that gives samples `wanted_m` apart, or closer, if `size` gives `step_m`.
-std::size_t finer_size(std::size_t size, double step_m, double wanted_m) {
+std::size_t upsampled_size(std::size_t size, double step_m, double wanted_m) {
   return wanted_m < step_m
              ? core::fast_fft_size(static_cast<std::size_t>(std::ceil(static_cast<double>(size) * step_m / wanted_m)))
              : size;
@@ -169,7 +169,7 @@ void divide(ImageAxis& axis, double by) {
 void fit_range(FocusFrame& frame, const SpectrumExtent& extent) {
   ImageAxis& axis = frame.range;
   if (holds(axis, extent)) return;
-  frame.image_bins = finer_size(frame.range_size, axis.step_m, step_for(axis, extent));
+  frame.image_bins = upsampled_size(frame.range_size, axis.step_m, step_for(axis, extent));
   divide(axis, static_cast<double>(frame.image_bins) / static_cast<double>(frame.range_size));
   axis.spectrum_centre_per_m = extent.middle_per_m();
   frame.range_middle_hz = radar::range_of(extent.middle_per_m(), frame.waveform.light_speed_mps);
@@ -179,7 +179,7 @@ void fit_azimuth(FocusFrame& frame, const SpectrumExtent& extent) {
   ImageAxis& axis = frame.azimuth;
   if (holds(axis, extent)) return;
   frame.unfolds = true;
-  frame.image_rows = finer_size(frame.azimuth_size, axis.step_m, step_for(axis, extent));
+  frame.image_rows = upsampled_size(frame.azimuth_size, axis.step_m, step_for(axis, extent));
   const double by = static_cast<double>(frame.image_rows) / static_cast<double>(frame.azimuth_size);
   divide(axis, by);
   frame.first_row = static_cast<std::ptrdiff_t>(std::floor(static_cast<double>(frame.first_row) * by));

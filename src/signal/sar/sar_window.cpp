@@ -9,7 +9,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
-#include "core/maths/window_words.hpp"
+#include "core/maths/window_labels.hpp"
 #include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
 

@@ -70,7 +70,7 @@ double row_seconds(const Plan& plan, double echo_samples, const MachineSpeed& ma
 // One pulse on one core.
 // @param echo_samples  samples of all its echoes together
 double pulse_seconds(const Plan& plan, const KernelCost& work, double echo_samples, const MachineSpeed& machine) {
-  const double heard = static_cast<double>(1 + plan.sources.other_pulses.pulses.size());
+  const double heard = static_cast<double>(1 + plan.sources.range_ambiguities.pulses.size());
   const double sight_s = row_kernel(plan.engine.engine).point_by_point
                              ? 0.0
                              : per_sight_s * scatterers_of(*plan.acquisition.scene) +
@@ -130,7 +130,7 @@ Cost estimated_cost(const Plan& plan, unsigned threads, const MachineSpeed& mach
                    plan.acquisition.reception.raw_grid.interval_s,
                static_cast<double>(plan.acquisition.reception.raw_grid.count));
   Cost cost;
-  cost.echoes = scatterers * pulses * static_cast<double>(1 + plan.sources.other_pulses.pulses.size());
+  cost.echoes = scatterers * pulses * static_cast<double>(1 + plan.sources.range_ambiguities.pulses.size());
   cost.echo_samples = cost.echoes * pulse_samples;
   cost.samples =
       static_cast<double>(plan.acquisition.timing.rows) * static_cast<double>(plan.acquisition.reception.columns);

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/report/expect.hpp"
-#include "radar/echo/dense_row.hpp"
 #include "radar/echo/shape_table.hpp"
+#include "radar/echo/slepian_row.hpp"
 #include "radar/path/path.hpp"
 #include "simulate/plan/point_groups.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
@@ -120,8 +120,8 @@ SpectralEstimate PulseCost::spectral(const radar::PulseRange& pulses) const {
                 precision * points * point_ns(transform_point_ns, transform_octave_ns, points);
   const std::size_t transforms = estimate.cost.bin_transforms;
   const auto bin_points = static_cast<double>(transforms * estimate.cost.bin_points);
-  estimate.in_bins = transforms > 0 && radar::DenseRow::is_worth(echoes_, transforms, estimate.cost.bin_points,
-                                                                 estimate.cost.doppler_terms);
+  estimate.in_bins = transforms > 0 && radar::SlepianRow::is_worth(echoes_, transforms, estimate.cost.bin_points,
+                                                                   estimate.cost.doppler_terms);
   if (estimate.in_bins)
     estimate.ns = echoes_ * (bin_echo_ns + (terms > 1.0 ? bin_motion_ns : 0.0)) +
                   bin_points * point_ns(bin_point_ns, bin_octave_ns, bin_points);

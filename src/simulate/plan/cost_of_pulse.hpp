@@ -9,7 +9,7 @@ namespace sarsim::simulate {
 /// What the spectral engine needs for one pulse.
 struct SpectralEstimate {
   radar::SpectralCost cost;
-  bool in_bins = false;  ///< Echoes are summed in bins (radar::DenseRow), instead of on a grid.
+  bool in_bins = false;  ///< Echoes are summed in bins (radar::SlepianRow), instead of on a grid.
   double ns = 0.0;
 };
 

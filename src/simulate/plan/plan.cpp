@@ -8,14 +8,15 @@ namespace sarsim::simulate {
 
 bool Plan::filters_spectra() const {
   return row_kernel(engine.engine).filters && acquisition.reception.compressor &&
-         acquisition.reception.stc_gain.empty() && sources.other_pulses.pulses.empty() &&
+         acquisition.reception.stc_gain.empty() && sources.range_ambiguities.pulses.empty() &&
          acquisition.scene->options.eclipsing == scene::Eclipsing::none;
 }
 
 Plan plan_of(Acquisition acquisition, Engine engine, const core::StopFlag* stop) {
   Plan plan{.acquisition = std::move(acquisition), .sources = {}, .engine = {}};
   const ResolvedScene& scene = *plan.acquisition.scene;
-  plan.sources.other_pulses = asked_for(heard_pulses(plan.acquisition, stop), scene.options.ambiguous_echoes);
+  plan.sources.range_ambiguities =
+      asked_for(find_range_ambiguities(plan.acquisition, stop), scene.options.ambiguous_echoes);
   plan.engine = choose_engine(engine, plan.acquisition);
   if (!row_kernel(plan.engine.engine).point_by_point)
     plan.sources.points = std::make_shared<const PointGroups>(group_points(scene, plan.acquisition.link, stop));

@@ -8,16 +8,16 @@
 #include "simulate/plan/acquisition.hpp"
 #include "simulate/plan/engine.hpp"
 #include "simulate/plan/machine_speed.hpp"
-#include "simulate/plan/other_pulses.hpp"
 #include "simulate/plan/point_groups.hpp"
 #include "simulate/plan/product.hpp"
+#include "simulate/plan/range_ambiguities.hpp"
 
 namespace sarsim::simulate {
 
 /// Whose echoes are summed.
 struct Sources {
   std::shared_ptr<const PointGroups> points;  ///< For the fast engines.
-  OtherPulses other_pulses;                   ///< Whose echoes each row receives besides those of its own.
+  RangeAmbiguities range_ambiguities;         ///< Whose echoes each row receives besides those of its own.
 };
 
 /// What comes of one `$SIMULATION`: everything decided before the first pulse. A value shared by all threads; made by

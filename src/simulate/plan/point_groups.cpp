@@ -98,10 +98,10 @@ radar::CurveTables reflectivity_tables(const ResolvedScene& scene) {
   return radar::tabulate(curves, curve_error_db(scene));
 }
 
-radar::AntennaSight antenna_sight(const ResolvedScene& scene, const Link& radar) {
-  radar::AntennaSight antenna;
+radar::AntennaView antenna_view(const ResolvedScene& scene, const Link& radar) {
+  radar::AntennaView antenna;
   if (scene.conventions.pointing == radar::PointingRule::added_angles)
-    antenna.offsets = radar::AntennaSight::Offsets::world_angles;
+    antenna.offsets = radar::AntennaView::Offsets::world_angles;
   antenna.roots = scene.conventions.pattern == radar::PatternRule::power;
   std::vector<const core::AngleFunction*> curves;
   std::vector<std::size_t> cuts;
@@ -172,7 +172,7 @@ PointGroups group_points(const ResolvedScene& scene, const Link& radar, const co
   CORE_EXPECT(std::ranges::all_of(scene.scatterers.platforms(),
                                   [&](std::uint32_t platform) { return platform < scene.platforms.size(); }));
   PointGroups groups;
-  groups.antenna = antenna_sight(scene, radar);
+  groups.antenna = antenna_view(scene, radar);
   groups.reflectivity = reflectivity_tables(scene);
   Grouping grouping(groups);
   const ScattererList& scatterers = scene.scatterers;
@@ -202,7 +202,7 @@ namespace {
 
 // What the atmosphere adds to echoes that are otherwise complete.
 void add_air(const AirPaths& air, const radar::PointArrays& points, const radar::PointSpan& run,
-             const radar::SightFrame& frame, const PulseGeometry& geometry, radar::EchoBatch& echoes,
+             const radar::ViewFrame& frame, const PulseGeometry& geometry, radar::EchoBatch& echoes,
              std::size_t first) {
   const core::Vec3& radar_m = geometry.radar_pose().position_world_m;
   const core::Vec3 origin_m = radar_m + frame.origin_m;
@@ -233,12 +233,12 @@ bool certain_echoes(const PointGroups& groups, const PulseGeometry& geometry, co
     const std::size_t begin = group->first;
     end = begin + group->points->size();
     const radar::PointSpan part{std::max(run.begin, begin) - begin, std::min(run.end, end) - begin};
-    radar::SightFrame frame = geometry.frame(group->platform);
+    radar::ViewFrame frame = geometry.frame(group->platform);
     frame.antenna_from_world = antenna_from_world;
     frame.axis_azimuth_rad = pointing.axis_azimuth_rad();
     frame.axis_elevation_rad = pointing.axis_elevation_rad();
     frame.amplitude_scale = geometry.amplitude_scale();
-    frame.spreading = geometry.spreading();
+    frame.spreading = geometry.has_range_loss();
     possible = radar::write_echoes(*group->points, part, frame, groups.antenna, groups.reflectivity, echoes,
                                    begin + part.begin - run.begin) &&
                possible;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/task/stop.hpp"
-#include "radar/echo/sight.hpp"
+#include "radar/echo/view_geometry.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/resolve/resolved.hpp"
 
@@ -23,7 +23,7 @@ struct PointGroups {
   };
   std::vector<Group> groups;
   radar::CurveTables reflectivity;
-  radar::AntennaSight antenna;
+  radar::AntennaView antenna;
   std::size_t count = 0;  ///< Points of all groups.
 
   /// Whether all user-defined curves are finite; otherwise `fast_echoes` looks at every target by itself.

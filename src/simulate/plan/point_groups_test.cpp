@@ -94,7 +94,7 @@ Echoes echoes_of(const scene::Scene& scene, std::int64_t pulse) {
 }
 
 struct Echo {
-  double delay_s, amplitude, doppler, bend_per_s;
+  double delay_s, amplitude, doppler, dilation_rate;
 };
 
 TEST(CertainEchoes, OfRunsAreThoseOfAllPointsTakenApart) {
@@ -129,7 +129,7 @@ std::vector<Echo> sorted(const radar::EchoBatch& batch) {
   std::vector<Echo> echoes;
   for (std::size_t k = 0; k < batch.size(); ++k)
     if (batch.amplitude_sqrt_w[k] != 0.0)
-      echoes.push_back({batch.delay_s[k], batch.amplitude_sqrt_w[k], batch.doppler[k], batch.clock(k).bend_per_s});
+      echoes.push_back({batch.delay_s[k], batch.amplitude_sqrt_w[k], batch.doppler[k], batch.clock(k).dilation_rate});
   std::ranges::sort(echoes, {}, &Echo::delay_s);
   return echoes;
 }
@@ -146,7 +146,7 @@ void expect_same(const Echoes& echoes, double tolerance) {
     ASSERT_NEAR(fast[k].amplitude, plain[k].amplitude, tolerance / 8.0 * std::abs(plain[k].amplitude) + 1e-12 * largest)
         << k;
     ASSERT_NEAR(fast[k].doppler, plain[k].doppler, 1e-15) << k;
-    ASSERT_NEAR(fast[k].bend_per_s, plain[k].bend_per_s, 1e-12 * std::abs(plain[k].bend_per_s) + 1e-18) << k;
+    ASSERT_NEAR(fast[k].dilation_rate, plain[k].dilation_rate, 1e-12 * std::abs(plain[k].dilation_rate) + 1e-18) << k;
   }
 }
 

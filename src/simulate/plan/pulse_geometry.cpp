@@ -17,7 +17,7 @@ namespace sarsim::simulate {
 
 struct PulseGeometry::Sight {
   radar::Flight flight;
-  double bend_per_s = 0.0;
+  double dilation_rate = 0.0;
   double speed_mps = 0.0;   // of the point, or of the radar: the faster one, in any direction
   double distance_m = 0.0;  // as the pulse leaves
 };
@@ -31,12 +31,12 @@ double turning_of(const core::Mat3& m) {
 
 // Of amplitudes; one antenna for both ways is looked at once.
 double two_way_gain(const Link& radar, radar::PatternRule rule, const radar::Pointing& pointing,
-                    const core::Vec3& look_m) {
+                    const core::Vec3& line_of_sight_m) {
   using Kind = radar::AntennaPattern::Kind;
   const radar::AntennaPattern& out = radar.transmit;
   const radar::AntennaPattern& back = radar.receive;
   if (out.kind == Kind::isotropic && back.kind == Kind::isotropic) return 1.0;
-  const radar::BeamOffset offset = pointing.offset(look_m);
+  const radar::BeamOffset offset = pointing.offset(line_of_sight_m);
   const double way_out = radar::one_way_amplitude(out, offset.azimuth_rad, offset.elevation_rad, rule);
   const bool same = out.kind == Kind::sinx && back.kind == Kind::sinx &&
                     out.azimuth_beamwidth_rad == back.azimuth_beamwidth_rad &&
@@ -58,7 +58,7 @@ PulseGeometry::PulseGeometry(const ResolvedScene& scene, const Link& radar)
   for (const std::uint32_t platform : platforms_) poses_.push_back(scene.platforms[platform].track.at(0.0, 0));
   frames_.resize(platforms_.size());
   error_steps_.resize(platforms_.size());
-  spreading_ = !(radar.stc != scene::Radar::Stc::none && scene.conventions.stc == Conventions::Stc::no_spreading);
+  range_loss_ = !(radar.stc != scene::Radar::Stc::none && scene.conventions.stc == Conventions::Stc::no_spreading);
   set_pulse(0);
 }
 
@@ -76,7 +76,7 @@ void PulseGeometry::set_pulse(std::int64_t pulse) {
 }
 
 void PulseGeometry::set_frame(std::size_t slot) {
-  radar::SightFrame& frame = frames_[slot];
+  radar::ViewFrame& frame = frames_[slot];
   const radar::Pose& pose = poses_[slot];
   const std::size_t platform = platforms_[slot];
   frame = {};
@@ -95,7 +95,7 @@ void PulseGeometry::set_frame(std::size_t slot) {
 
 // The platform is taken where the pulse meets its middle, the radar's velocity from where it is as that echo comes
 // back.
-void PulseGeometry::set_flight(std::size_t platform, radar::SightFrame& frame) {
+void PulseGeometry::set_flight(std::size_t platform, radar::ViewFrame& frame) {
   const ResolvedPlatform& carrier = scene_->platforms[platform];
   const ResolvedPlatform& own = scene_->platforms[radar_->platform];
   const core::Vec3 middle_m = frame.origin_m + frame.world_from_platform * carrier.middle_m;
@@ -138,7 +138,7 @@ radar::Pose PulseGeometry::at_rest(const radar::Pose& pose, double elapsed_s) co
 }
 
 // Accelerations are computed where their bounds say that they may count.
-void PulseGeometry::set_bend(std::size_t platform, radar::SightFrame& frame) {
+void PulseGeometry::set_bend(std::size_t platform, radar::ViewFrame& frame) {
   const ResolvedPlatform& carrier = scene_->platforms[platform];
   const ResolvedPlatform& own = scene_->platforms[radar_->platform];
   const double reach_m = core::norm(carrier.middle_m) + carrier.radius_m;
@@ -163,7 +163,7 @@ void PulseGeometry::set_bend(std::size_t platform, radar::SightFrame& frame) {
 }
 
 // The accelerations in axes that rest: of what the turning world carries too.
-void PulseGeometry::set_bend_at_rest(std::size_t platform, radar::SightFrame& frame) const {
+void PulseGeometry::set_bend_at_rest(std::size_t platform, radar::ViewFrame& frame) const {
   const radar::Pose met = scene_->platforms[platform].track.at(time_s_ + frame.anchor_s, pulse_);
   const radar::RestingAxes then(scene_->turning, frame.anchor_s);
   frame.acceleration_mps2 =
@@ -177,7 +177,7 @@ void PulseGeometry::set_bend_at_rest(std::size_t platform, radar::SightFrame& fr
 
 // Whether accelerations up to those given turn the ends of the pulse, or the echoes of points beside the platform's
 // middle, by more than a twentieth of the tolerance.
-bool PulseGeometry::bend_counts(std::size_t platform, const radar::SightFrame& frame, double platform_mps2,
+bool PulseGeometry::bend_counts(std::size_t platform, const radar::ViewFrame& frame, double platform_mps2,
                                 double radar_mps2) const {
   const ResolvedPlatform& carrier = scene_->platforms[platform];
   if (carrier.track.fixed() && scene_->platforms[radar_->platform].track.fixed() && !scene_->turns()) return false;
@@ -188,10 +188,11 @@ bool PulseGeometry::bend_counts(std::size_t platform, const radar::SightFrame& f
   const double middle_m = core::norm(frame.origin_m + frame.world_from_platform * carrier.middle_m);
   const double nearest_m = std::max(middle_m - carrier.radius_m, 0.0);
   const double half_s = 0.5 * radar_->pulse.width_s;
-  const double bend_per_s = radar::delay_of(speed_mps * speed_mps / nearest_m + platform_mps2 + radar_mps2, light_mps);
+  const double dilation_rate =
+      radar::delay_of(speed_mps * speed_mps / nearest_m + platform_mps2 + radar_mps2, light_mps);
   const double beside_s = radar::delay_of(carrier.radius_m, light_mps);
   const double off_m = beside_s * (platform_mps2 * beside_s + radar_mps2 * (frame.back_s + beside_s));
-  const double turn_rad = core::pi * carrier_hz_ * (bend_per_s * half_s * half_s + off_m / light_mps);
+  const double turn_rad = core::pi * carrier_hz_ * (dilation_rate * half_s * half_s + off_m / light_mps);
   return !(turn_rad <= 0.05 * scene_->options.tolerance);
 }
 
@@ -203,8 +204,8 @@ radar::Pointing PulseGeometry::pointing() const {
 
 PulseGeometry::Sight PulseGeometry::sight_of(std::size_t platform, const core::Vec3& point_m,
                                              const core::Vec3& undisturbed_m) const {
-  const radar::SightFrame& frame = this->frame(platform);
-  const core::Vec3 look_m = frame.origin_m + frame.world_from_platform * point_m;
+  const radar::ViewFrame& frame = this->frame(platform);
+  const core::Vec3 line_of_sight_m = frame.origin_m + frame.world_from_platform * point_m;
   // Jitter moves positions, never speeds (decision 4): the velocity is that of the undisturbed point.
   const auto velocity_mps = [&] { return frame.velocity_mps + frame.world_from_platform_rate * undisturbed_m; };
   const auto distance_m = [&] {
@@ -212,7 +213,7 @@ PulseGeometry::Sight PulseGeometry::sight_of(std::size_t platform, const core::V
   };
   Sight sight;
   if (frame.light_time == radar::LightTime::thesis) {
-    sight.flight = radar::thesis_flight_of(look_m, velocity_mps(), frame.light_speed_mps);
+    sight.flight = radar::thesis_flight_of(line_of_sight_m, velocity_mps(), frame.light_speed_mps);
     sight.distance_m = distance_m();
     return sight;
   }
@@ -221,10 +222,11 @@ PulseGeometry::Sight PulseGeometry::sight_of(std::size_t platform, const core::V
   if (frame.moves) {
     motion.point_mps = velocity_mps();
     sight.speed_mps = std::max(core::norm(motion.point_mps), sight.speed_mps);
-    sight.flight = radar::flight_of(look_m, motion, frame.light_speed_mps);
+    sight.flight = radar::flight_of(line_of_sight_m, motion, frame.light_speed_mps);
     sight.distance_m = distance_m();
   } else {
-    sight.flight = radar::flight_to_resting(look_m, frame.radar_mps, frame.radar_slope_mps, frame.light_speed_mps);
+    sight.flight =
+        radar::flight_to_resting(line_of_sight_m, frame.radar_mps, frame.radar_slope_mps, frame.light_speed_mps);
     sight.distance_m = sight.flight.path.out_m;
   }
   if (sight.flight.path.out_m == 0.0) sight.flight.doppler = 0.0;
@@ -232,13 +234,13 @@ PulseGeometry::Sight PulseGeometry::sight_of(std::size_t platform, const core::V
   motion.point_mps2 = frame.acceleration_mps2 + frame.world_from_platform_acceleration * undisturbed_m;
   motion.radar_mps2 = frame.radar_mps2;
   motion.back_s = frame.back_s;
-  sight.bend_per_s = radar::bend_of(sight.flight.look_m, motion, frame.light_speed_mps);
+  sight.dilation_rate = radar::bend_of(sight.flight.line_of_sight_m, motion, frame.light_speed_mps);
   radar::bend(sight.flight, motion, frame.light_speed_mps);
   return sight;
 }
 
 // A normal of the platform's as the pulse meets the point.
-core::Vec3 PulseGeometry::normal_at(const radar::SightFrame& frame, const core::Vec3& normal_platform,
+core::Vec3 PulseGeometry::normal_at(const radar::ViewFrame& frame, const core::Vec3& normal_platform,
                                     const Sight& sight) const {
   const core::Vec3 at_anchor = frame.world_from_platform * normal_platform;
   if (!frame.moves) return at_anchor;
@@ -252,19 +254,19 @@ ScattererView PulseGeometry::seen(const Sight& sight, double rcs_m2, const radar
   ScattererView view;
   view.distance_m = sight.distance_m;
   view.delay_s = flight.delay_s;
-  view.clock = {flight.doppler, sight.bend_per_s};
+  view.clock = {flight.doppler, sight.dilation_rate};
   if (sight.speed_mps >= light_mps)
     view.speed_mps = sight.speed_mps;
   else if (scene_->conventions.light_time == radar::LightTime::thesis)
     view.speed_mps = 0.5 * flight.doppler * light_mps;
   else
     view.speed_mps = radar::speed_of_doppler_factor(flight.doppler, light_mps);
-  const double gain = two_way_gain(*radar_, scene_->conventions.pattern, pointing, flight.look_m);
-  const double spreading = spreading_ ? flight.path.out_m * flight.path.back_m : 1.0;
+  const double gain = two_way_gain(*radar_, scene_->conventions.pattern, pointing, flight.line_of_sight_m);
+  const double spreading = range_loss_ ? flight.path.out_m * flight.path.back_m : 1.0;
   view.amplitude_sqrt_w = amplitude_scale_ * gain * std::sqrt(rcs_m2) / spreading;
   if (radar_->air) {
     const core::Vec3& from_m = radar_pose().position_world_m;
-    const AirEffect effect = radar_->air->between(from_m, from_m + flight.look_m, carrier_hz_);
+    const AirEffect effect = radar_->air->between(from_m, from_m + flight.line_of_sight_m, carrier_hz_);
     view.delay_s += effect.delay_s;
     view.ahead_turns = effect.ahead_turns;
     view.amplitude_sqrt_w *= effect.factor;
@@ -276,7 +278,7 @@ ScattererView PulseGeometry::view(std::size_t index) const { return view(index, 
 
 ScattererView PulseGeometry::view(std::size_t index, const radar::Pointing& pointing) const {
   const Scatterer& s = scene_->scatterers[index];
-  const radar::SightFrame& frame = this->frame(s.platform);
+  const radar::ViewFrame& frame = this->frame(s.platform);
   core::Vec3 point_m = s.position_m;
   double rcs_m2 = s.rcs_m2;
   double azimuth = s.azimuth_rad;
@@ -300,7 +302,7 @@ ScattererView PulseGeometry::view(std::size_t index, const radar::Pointing& poin
     const core::Vec3 normal_world = normal_at(frame, core::direction(azimuth, elevation), sight);
     static const core::Interpolator none;
     const core::Interpolator& curve = s.law == radar::ReflectivityLaw::user ? scene_->gain_curves[s.gain_curve] : none;
-    incidence_rad = radar::incidence_rad(normal_world, sight.flight.look_m);
+    incidence_rad = radar::incidence_rad(normal_world, sight.flight.line_of_sight_m);
     rcs_m2 *= radar::reflectivity(s.law, curve, incidence_rad);
   }
   ScattererView view = seen(sight, rcs_m2, pointing);
@@ -342,7 +344,7 @@ std::optional<ScattererView> PulseGeometry::point_view(const ScattererSheet& she
   const Sight sight = sight_of(sheet.platform, point_m, point_m);
   const core::Vec3 normal_world = normal_at(frame(sheet.platform), sheet.normal_platform, sight);
   const double law = radar::reflectivity(radar::ReflectivityLaw::cosine, none,
-                                         radar::incidence_rad(normal_world, sight.flight.look_m));
+                                         radar::incidence_rad(normal_world, sight.flight.line_of_sight_m));
   if (law <= 0.0) return std::nullopt;
   const ScattererView view = seen(sight, sheet.point_rcs_m2 * law, pointing);
   // A plane through the radar shows it neither side.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "radar/echo/echo_batch.hpp"
-#include "radar/echo/sight.hpp"
+#include "radar/echo/view_geometry.hpp"
 #include "simulate/resolve/resolved.hpp"
 
 namespace sarsim::simulate {
@@ -46,7 +46,7 @@ class PulseGeometry {
   /// Where a platform with targets or surfaces stands as the pulse leaves.
   [[nodiscard]] const radar::Pose& pose(std::size_t platform) const { return poses_[slot_of_[platform]]; }
   /// How a platform with targets or surfaces moves while the current pulse is under way; without antenna.
-  [[nodiscard]] const radar::SightFrame& frame(std::size_t platform) const { return frames_[slot_of_[platform]]; }
+  [[nodiscard]] const radar::ViewFrame& frame(std::size_t platform) const { return frames_[slot_of_[platform]]; }
   /// Whether the bend of any echo of the current pulse counts, against the scene's tolerance.
   [[nodiscard]] bool bends() const { return bends_; }
   /// Where the beam points at the current pulse.
@@ -55,7 +55,7 @@ class PulseGeometry {
   /// range.
   [[nodiscard]] double amplitude_scale() const { return amplitude_scale_; }
   /// Whether amplitudes fall with the distance squared (not so with the classic STC).
-  [[nodiscard]] bool spreading() const { return spreading_; }
+  [[nodiscard]] bool has_range_loss() const { return range_loss_; }
 
   /// Target `index` of the scene at the current pulse.
   [[nodiscard]] ScattererView view(std::size_t index) const;
@@ -76,15 +76,15 @@ class PulseGeometry {
  private:
   struct Sight;  // the way to a point and home
   void set_frame(std::size_t slot);
-  void set_flight(std::size_t platform, radar::SightFrame& frame);
-  void set_bend(std::size_t platform, radar::SightFrame& frame);
-  void set_bend_at_rest(std::size_t platform, radar::SightFrame& frame) const;
+  void set_flight(std::size_t platform, radar::ViewFrame& frame);
+  void set_bend(std::size_t platform, radar::ViewFrame& frame);
+  void set_bend_at_rest(std::size_t platform, radar::ViewFrame& frame) const;
   [[nodiscard]] radar::Pose at_rest(const radar::Pose& pose, double elapsed_s) const;
-  [[nodiscard]] bool bend_counts(std::size_t platform, const radar::SightFrame& frame, double platform_mps2,
+  [[nodiscard]] bool bend_counts(std::size_t platform, const radar::ViewFrame& frame, double platform_mps2,
                                  double radar_mps2) const;
   [[nodiscard]] Sight sight_of(std::size_t platform, const core::Vec3& point_m, const core::Vec3& undisturbed_m) const;
   [[nodiscard]] ScattererView seen(const Sight& sight, double rcs_m2, const radar::Pointing& pointing) const;
-  [[nodiscard]] core::Vec3 normal_at(const radar::SightFrame& frame, const core::Vec3& normal_platform,
+  [[nodiscard]] core::Vec3 normal_at(const radar::ViewFrame& frame, const core::Vec3& normal_platform,
                                      const Sight& sight) const;
   void add(const ScattererView& view, radar::EchoBatch& echoes) const;
   [[nodiscard]] std::optional<ScattererView> point_view(const ScattererSheet& sheet, const core::Vec3& point_m,
@@ -98,14 +98,14 @@ class PulseGeometry {
   std::vector<std::uint32_t> platforms_;  // of each slot: those that reflect, then the radar's if it is none of them
   std::size_t reflecting_ = 0;            // slots of platforms that reflect
   std::vector<radar::Pose> poses_;        // by slot, as the two below
-  std::vector<radar::SightFrame> frames_;
+  std::vector<radar::ViewFrame> frames_;
   std::vector<radar::Track::ErrorSteps> error_steps_;
   bool bends_ = false;
   std::int64_t pulse_ = 0;
   double time_s_ = 0.0;
   double carrier_hz_ = 0.0;
   double amplitude_scale_ = 0.0;
-  bool spreading_ = true;
+  bool range_loss_ = true;
 };
 
 }  // namespace sarsim::simulate

@@ -76,7 +76,7 @@ void expect_flight_solves_the_light_time_equation(scene::Scene scene) {
     EXPECT_NEAR(now.speed_mps, c * slope / (2.0 + slope), h * h / 6.0 * 1e4 + 8.0 * 1e4 * epsilon / h);
     constexpr double wide = 2e-3;
     const double bend = (delay(wide) - 2.0 * delay(0.0) + delay(-wide)) / (wide * wide);
-    EXPECT_NEAR(now.clock.bend_per_s, bend, 1e-4 * std::abs(bend) + (1e-2 + 8e4 * epsilon / (wide * wide)) / c);
+    EXPECT_NEAR(now.clock.dilation_rate, bend, 1e-4 * std::abs(bend) + (1e-2 + 8e4 * epsilon / (wide * wide)) / c);
   }
 }
 

@@ -60,7 +60,7 @@ radar::SampleSpan RowMaker::make_raw(std::int64_t pulse, std::span<std::complex<
   std::ranges::fill(raw.subspan(stale.begin, stale.end - stale.begin), std::complex<double>());
   geometry_.set_pulse(pulse);
   radar::SampleSpan filled = add_pulse(raw, {});
-  filled = filled.with(add_other_pulses(pulse, raw));
+  filled = filled.with(add_range_ambiguities(pulse, raw));
   if (plan.acquisition.reception.noise_stddev_v > 0.0) {
     add_receiver_noise(pulse, raw);
     filled = {0, raw.size()};
@@ -80,14 +80,15 @@ void RowMaker::add_receiver_noise(std::int64_t pulse, std::span<std::complex<dou
 }
 
 // Leaves out what is not heard in a row whose pulse left so much later.
-void RowMaker::keep_heard(std::optional<double> since_s) {
+void RowMaker::clip_to_window(std::optional<double> since_s) {
   if (since_s)
-    simulate::keep_heard(echoes_, *since_s, plan_->acquisition.reception.pulse, plan_->acquisition.reception.raw_grid);
+    simulate::clip_to_window(echoes_, *since_s, plan_->acquisition.reception.pulse,
+                             plan_->acquisition.reception.raw_grid);
 }
 
 void RowMaker::take_point_by_point(std::optional<double> since_s) {
   geometry_.echoes(echoes_);
-  keep_heard(since_s);
+  clip_to_window(since_s);
   kernel_->take(echoes_);
 }
 
@@ -102,7 +103,7 @@ void RowMaker::take_groups(std::span<std::complex<double>> raw, std::optional<do
       kernel_->begin(geometry_.carrier_hz(), 0, raw);
       return take_point_by_point(since_s);
     }
-    keep_heard(since_s);
+    clip_to_window(since_s);
     kernel_->take(echoes_);
   }
 }
@@ -122,12 +123,12 @@ radar::SampleSpan RowMaker::add_pulse(std::span<std::complex<double>> raw, std::
 // An echo of another pulse is one of the row's pulse that comes by so much earlier as that pulse left before: its phase
 // is that of its own delay, and it beats with the row's carrier where its own is another (docs/theory/echo-model.md).
 // Returns the samples outside of which the row is as it was.
-radar::SampleSpan RowMaker::add_other_pulses(std::int64_t pulse, std::span<std::complex<double>> raw) {
+radar::SampleSpan RowMaker::add_range_ambiguities(std::int64_t pulse, std::span<std::complex<double>> raw) {
   const Plan& plan = *plan_;
   radar::SampleSpan filled;
   const double sent_s = plan.acquisition.link.repetition.send_time_s(pulse);
   const double carrier_hz = plan.acquisition.link.carrier.carrier_hz(pulse);
-  for (const OtherPulse& other : plan.sources.other_pulses.pulses) {
+  for (const RangeAmbiguity& other : plan.sources.range_ambiguities.pulses) {
     const double beat_hz = plan.acquisition.link.carrier.carrier_hz(pulse - other.back) - carrier_hz;
     if (std::abs(beat_hz) > plan.acquisition.reception.sample_rate_hz) continue;
     geometry_.set_pulse(pulse - other.back);

@@ -32,11 +32,11 @@ class RowMaker {
   void make_compressed(std::int64_t pulse, std::span<std::complex<double>> out);
   void make_profile(std::size_t row, std::span<std::complex<double>> out);
 
-  void keep_heard(std::optional<double> since_s);
+  void clip_to_window(std::optional<double> since_s);
   void take_point_by_point(std::optional<double> since_s);
   void take_groups(std::span<std::complex<double>> raw, std::optional<double> since_s);
   radar::SampleSpan add_pulse(std::span<std::complex<double>> raw, std::optional<double> since_s);
-  radar::SampleSpan add_other_pulses(std::int64_t pulse, std::span<std::complex<double>> raw);
+  radar::SampleSpan add_range_ambiguities(std::int64_t pulse, std::span<std::complex<double>> raw);
   void blank_while_sending(std::int64_t pulse, std::span<std::complex<double>> raw) const;
   void add_receiver_noise(std::int64_t pulse, std::span<std::complex<double>> raw) const;
 

@@ -10,7 +10,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/random.hpp"
 #include "radar/motion/dryden.hpp"
-#include "radar/motion/plunge.hpp"
+#include "radar/motion/heave_response.hpp"
 #include "radar/motion/sea.hpp"
 #include "radar/motion/ship.hpp"
 #include "scene/model/function_role.hpp"
@@ -39,7 +39,7 @@ std::array<double, 3> radians(const std::array<core::Angle, 3>& angles) {
   return {angles[0].rad(), angles[1].rad(), angles[2].rad()};
 }
 
-radar::SegmentPath sound(radar::PathMade made, const Platform& platform) {
+radar::SegmentPath sound(radar::PathResult made, const Platform& platform) {
   if (!made.fault.empty()) throw std::invalid_argument("the path of platform '" + platform.name + "': " + made.fault);
   return std::move(made.path);
 }
@@ -78,7 +78,7 @@ void add_waves(const Platform& platform, const radar::MotionPath& path, std::uin
 void add_gusts(const Platform& platform, radar::Motion& motion) {
   const radar::Turbulence air =
       radar::turbulence_at(platform.gust_height_m, static_cast<radar::TurbulenceSeverity>(platform.turbulence));
-  const radar::PlungeResponse response{platform.response_s, 2.0 * core::pi / platform.hold_s, platform.hold_damping};
+  const radar::HeaveResponse response{platform.response_s, 2.0 * core::pi / platform.hold_s, platform.hold_damping};
   const auto envelope = [&](radar::GustForm form, double sigma_mps, double length_m) {
     radar::GustMotion made = radar::gust_motion({form, sigma_mps, length_m, platform.airspeed_mps}, response);
     if (!made.fault.empty())

@@ -8,7 +8,7 @@
 
 #include "core/maths/vector.hpp"
 #include "core/task/parallel.hpp"
-#include "radar/echo/sight.hpp"
+#include "radar/echo/view_geometry.hpp"
 #include "radar/target/reflectivity.hpp"
 
 namespace sarsim::simulate {

@@ -14,10 +14,10 @@ namespace sarsim::simulate {
 
 namespace {
 
-class OtherPulseRules {
+class RangeAmbiguityRules {
  public:
-  OtherPulseRules(const Acquisition& acquisition, const OtherPulses& all, const EchoSurvey& survey, std::size_t index,
-                  const std::string& scope, core::Problems& problems)
+  RangeAmbiguityRules(const Acquisition& acquisition, const RangeAmbiguities& all, const EchoSurvey& survey,
+                      std::size_t index, const std::string& scope, core::Problems& problems)
       : acquisition_(acquisition), all_(all), survey_(survey), index_(index), scope_(scope), problems_(problems) {}
 
   // One statement of echoes that are late and of what that does to rows: of targets whose echoes arrive after the next
@@ -25,7 +25,7 @@ class OtherPulseRules {
   void check_ranges() {
     const scene::AmbiguousEchoes which = acquisition_.scene->options.ambiguous_echoes;
     const bool left_out = which == scene::AmbiguousEchoes::none;
-    const OtherPulses heard = left_out ? all_ : asked_for(all_, which);
+    const RangeAmbiguities heard = left_out ? all_ : asked_for(all_, which);
     check_farther(heard);
     if (heard.pulses.empty()) return check_late();
     const bool late = survey_.totals.late > 0;
@@ -86,7 +86,7 @@ class OtherPulseRules {
                     : "lower the PRF, or move the targets");
   }
 
-  void check_farther(const OtherPulses& heard) {
+  void check_farther(const RangeAmbiguities& heard) {
     if (!(heard.farther > 0.0)) return;
     add(core::Severity::warning,
         fmt::format("echoes of pulses sent more than {} pulses earlier or later are received but left out",
@@ -96,18 +96,18 @@ class OtherPulseRules {
         "", "lower the PRF, or move the targets");
   }
 
-  [[nodiscard]] static std::string level_of(const OtherPulses& heard) {
-    const OtherPulse& strongest = *std::ranges::max_element(heard.pulses, {}, &OtherPulse::strength);
+  [[nodiscard]] static std::string level_of(const RangeAmbiguities& heard) {
+    const RangeAmbiguity& strongest = *std::ranges::max_element(heard.pulses, {}, &RangeAmbiguity::strength);
     if (strongest.strength >= 1.0) return "the strongest echo is among them, antennas ignored";
     return fmt::format("up to {:.0f} dB relative to the strongest echo, antennas ignored",
                        core::amplitude_db(strongest.strength));
   }
 
   // "the 2 pulses before and the pulse after theirs"
-  [[nodiscard]] static std::string pulses_of(const OtherPulses& heard) {
+  [[nodiscard]] static std::string pulses_of(const RangeAmbiguities& heard) {
     std::int64_t before = 0;
     std::int64_t after = 0;
-    for (const OtherPulse& other : heard.pulses) {
+    for (const RangeAmbiguity& other : heard.pulses) {
       before = std::max(before, other.back);
       after = std::max(after, -other.back);
     }
@@ -138,7 +138,7 @@ class OtherPulseRules {
   }
 
   const Acquisition& acquisition_;
-  const OtherPulses& all_;  // that are heard, wanted or not
+  const RangeAmbiguities& all_;  // that are heard, wanted or not
   const EchoSurvey& survey_;
   std::size_t index_;
   const std::string& scope_;
@@ -147,10 +147,10 @@ class OtherPulseRules {
 
 }  // namespace
 
-void check_other_pulses(const Acquisition& acquisition, const OtherPulses& all, const EchoSurvey& survey,
-                        std::size_t index, const std::string& scope, core::Problems& problems) {
+void check_range_ambiguities(const Acquisition& acquisition, const RangeAmbiguities& all, const EchoSurvey& survey,
+                             std::size_t index, const std::string& scope, core::Problems& problems) {
   CORE_EXPECT(acquisition.scene != nullptr);
-  OtherPulseRules rules(acquisition, all, survey, index, scope, problems);
+  RangeAmbiguityRules rules(acquisition, all, survey, index, scope, problems);
   rules.check_ranges();
   rules.check_eclipsed();
 }

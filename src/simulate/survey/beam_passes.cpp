@@ -82,7 +82,9 @@ class BeamPasses {
 
 }  // namespace
 
-bool turns(const radar::Beam& beam) { return beam.kind == radar::Beam::Kind::rotating && beam.rate_rad_per_s != 0.0; }
+bool is_scanning(const radar::Beam& beam) {
+  return beam.kind == radar::Beam::Kind::rotating && beam.rate_rad_per_s != 0.0;
+}
 
 std::vector<std::int64_t> pulses_on_targets(const Acquisition& acquisition, std::size_t most) {
   CORE_EXPECT(acquisition.scene != nullptr);

@@ -10,7 +10,7 @@
 namespace sarsim::simulate {
 
 /// Whether the azimuth of a beam changes by itself (ROTATING, not at rest).
-[[nodiscard]] bool turns(const radar::Beam& beam);
+[[nodiscard]] bool is_scanning(const radar::Beam& beam);
 
 /// Numbers of the pulses at which a beam that turns points nearest to the targets in azimuth: up to five passes of
 /// each, at times spread over the recording. An even choice of pulses would pass a narrow beam by.

@@ -270,7 +270,7 @@ class LimitRules {
 
   // Whether the flight makes an aperture: its length squared exceeds half a wavelength times the range.
   [[nodiscard]] bool makes_aperture() {
-    if (acquisition_.timing.pulses.count() < min_aperture_pulses || turns(acquisition_.link.beam)) return false;
+    if (acquisition_.timing.pulses.count() < min_aperture_pulses || is_scanning(acquisition_.link.beam)) return false;
     PulseGeometry ends(*acquisition_.scene, acquisition_.link);
     ends.set_pulse(acquisition_.timing.pulses.first);
     const core::Vec3 first_m = ends.radar_pose().position_world_m;
@@ -311,7 +311,8 @@ class LimitRules {
 
   // Pairs of one cell of range, which all carriers resolve together, and, while the beam rests, of Doppler.
   void check_cells() {
-    if (turns(acquisition_.link.beam) || acquisition_.reception.profiler || survey_.totals.in_window > max_compared)
+    if (is_scanning(acquisition_.link.beam) || acquisition_.reception.profiler ||
+        survey_.totals.in_window > max_compared)
       return;
     const double band_hz =
         acquisition_.link.carrier.highest_hz() - acquisition_.link.carrier.lowest_hz() + bandwidth_hz_;

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t max_motion_looks = 400'000;  // pulses times targets
 constexpr std::int64_t max_motion_pulses = 1025;
 constexpr std::int64_t min_motion_pulses = 65;
-constexpr std::int64_t finer_looks = 16;
+constexpr std::int64_t upsampled_looks = 16;
 // First looks, at platforms alone and then at few targets and pulses; one that finds far less than anybody would note
 // is the last.
 constexpr std::size_t first_targets = 256;
@@ -95,7 +95,7 @@ class MotionLook {
     look(acquisition_.timing.pulses.first, acquisition_.timing.pulses.last, looks);
     if (spacing > 1)
       look(std::max(acquisition_.timing.pulses.first, worst_.pulse - spacing),
-           std::min(acquisition_.timing.pulses.last, worst_.pulse + spacing), finer_looks);
+           std::min(acquisition_.timing.pulses.last, worst_.pulse + spacing), upsampled_looks);
     return worst_;
   }
 

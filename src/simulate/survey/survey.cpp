@@ -20,8 +20,8 @@
 #include "simulate/survey/limit_rules.hpp"
 #include "simulate/survey/noise_energy.hpp"
 #include "simulate/survey/pulse_motion.hpp"
-#include "simulate/survey/sight_rules.hpp"
 #include "simulate/survey/table_rules.hpp"
+#include "simulate/survey/visibility_rules.hpp"
 
 namespace sarsim::simulate {
 
@@ -50,30 +50,30 @@ class Surveyor {
     if (!check_echoes(survey, acquisition)) return;
     check_surfaces(survey, acquisition);
     check_horizon(survey);
-    const OtherPulses others = heard_pulses(acquisition, control.stop);
+    const RangeAmbiguities others = find_range_ambiguities(acquisition, control.stop);
     check_window(survey, acquisition, others);
     check_doppler(survey, acquisition);
     check_lsb(survey, acquisition);
-    check_other_pulses(acquisition, others, survey, index_, scope_, problems_);
+    check_range_ambiguities(acquisition, others, survey, index_, scope_, problems_);
     check_pulse_motion(survey, acquisition, control);
     check_limits(acquisition, survey, index_, scope_, problems_);
     check_beam_steps(acquisition);
-    check_sights(survey, acquisition, control);
+    check_visibility(survey, acquisition, control);
   }
 
  private:
   static constexpr std::size_t max_sights = 64;
 
-  void check_sights(const EchoSurvey& survey, const Acquisition& acquisition, const core::WorkControl& control) {
-    const SightSurvey looked(acquisition, targets_in_window(survey, max_sights));
+  void check_visibility(const EchoSurvey& survey, const Acquisition& acquisition, const core::WorkControl& control) {
+    const VisibilitySurvey looked(acquisition, targets_in_window(survey, max_sights));
     EchoSummary summary{index_, survey.targets.size(), survey.totals.in_window, looked.look(control)};
     const auto directive = [](const radar::AntennaPattern& pattern) {
       return pattern.kind != radar::AntennaPattern::Kind::isotropic;
     };
     summary.directive = directive(acquisition.link.transmit) || directive(acquisition.link.receive);
     summary.noise = noise_energy_j(acquisition.scene->conventions, acquisition.link) > 0.0;
-    const SightCase sighted{scene_, index_, acquisition, looked, summary, control};
-    simulate::check_sights(sighted, problems_);
+    const VisibilityCase sighted{scene_, index_, acquisition, looked, summary, control};
+    simulate::check_visibility(sighted, problems_);
     check_tables(sighted, survey, problems_);
     report_.summaries.push_back(std::move(summary));
   }
@@ -222,7 +222,7 @@ class Surveyor {
         "leave them out, or correct their places or the orbit");
   }
 
-  void check_window(const EchoSurvey& survey, const Acquisition& acquisition, const OtherPulses& others) {
+  void check_window(const EchoSurvey& survey, const Acquisition& acquisition, const RangeAmbiguities& others) {
     if (survey.targets.empty()) {
       if (acquisition.scene->sheets.empty())
         add(core::Severity::warning, "",
@@ -249,7 +249,8 @@ class Surveyor {
 
   void check_doppler(const EchoSurvey& survey, const Acquisition& acquisition) {
     // Nobody makes an image along the track of what a turning beam sees.
-    if (turns(acquisition.link.beam) || acquisition.timing.pulses.count() < 2 || acquisition.reception.is_profile())
+    if (is_scanning(acquisition.link.beam) || acquisition.timing.pulses.count() < 2 ||
+        acquisition.reception.is_profile())
       return;
     const double band_hz = survey.highest_doppler_hz - survey.lowest_doppler_hz;
     const double prf_hz = 1.0 / acquisition.link.repetition.mean_interval_s();
@@ -317,14 +318,14 @@ core::Problems survey(const scene::Scene& scene, std::shared_ptr<const ResolvedS
   return survey_report(scene, std::move(resolved), control).problems;
 }
 
-const TargetSight& EchoSummary::strongest() const {
+const TargetVisibility& EchoSummary::strongest() const {
   CORE_EXPECT(!sights.empty());
-  return *std::ranges::max_element(sights, {}, &TargetSight::amplitude_v);
+  return *std::ranges::max_element(sights, {}, &TargetVisibility::amplitude_v);
 }
 
-const TargetSight& EchoSummary::weakest() const {
+const TargetVisibility& EchoSummary::weakest() const {
   CORE_EXPECT(!sights.empty());
-  return *std::ranges::min_element(sights, {}, &TargetSight::amplitude_v);
+  return *std::ranges::min_element(sights, {}, &TargetVisibility::amplitude_v);
 }
 
 }  // namespace sarsim::simulate

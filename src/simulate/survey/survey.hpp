@@ -11,7 +11,7 @@
 #include "scene/model/scene.hpp"
 #include "simulate/plan/acquisition.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
-#include "simulate/survey/sight.hpp"
+#include "simulate/survey/target_visibility.hpp"
 
 namespace sarsim::simulate {
 
@@ -96,15 +96,15 @@ struct EchoSummary {
   std::size_t simulation = 0;  ///< Position in the scene's list.
   std::size_t targets = 0;     ///< Of the scene.
   std::size_t in_window = 0;   ///< Of them, those that the window meets.
-  std::vector<TargetSight>
+  std::vector<TargetVisibility>
       sights;              ///< Of those, at most 64: all, or an even choice with the strongest and the weakest.
   bool directive = false;  ///< The radar has an antenna with a beam.
   bool noise = false;      ///< The receiver has noise; without it there is no SNR.
 
   /// The strongest of `sights`; expects at least one.
-  [[nodiscard]] const TargetSight& strongest() const;
+  [[nodiscard]] const TargetVisibility& strongest() const;
   /// The weakest of `sights`; expects at least one.
-  [[nodiscard]] const TargetSight& weakest() const;
+  [[nodiscard]] const TargetVisibility& weakest() const;
 };
 
 /// What `survey` finds, and what every simulation will hold.

@@ -47,7 +47,7 @@ std::vector<std::int64_t> pulses_to_look_at(const Acquisition& acquisition) {
   const std::size_t targets = acquisition.scene->scatterers.size();
   std::vector<std::int64_t> pulses = sampled_pulses(acquisition.timing.pulses, targets);
   const bool all = static_cast<std::int64_t>(pulses.size()) == acquisition.timing.pulses.count();
-  if (all || targets == 0 || !turns(acquisition.link.beam)) return pulses;
+  if (all || targets == 0 || !is_scanning(acquisition.link.beam)) return pulses;
   const std::size_t views = max_views / targets;
   const std::size_t poses = max_poses / std::max<std::size_t>(acquisition.scene->platforms.size(), 1);
   const std::size_t most = std::min(views, poses);

@@ -93,11 +93,11 @@ class ReachComparison {
     }
   }
 
-  [[nodiscard]] std::vector<TargetSight> target_sights() {
+  [[nodiscard]] std::vector<TargetVisibility> target_sights() {
     if (targets_.empty()) return {};
     std::vector<std::size_t> chosen = targets_.points(max_looks / 2);
     std::ranges::sort(chosen);
-    return SightSurvey(acquisition_, chosen).look(control_);
+    return VisibilitySurvey(acquisition_, chosen).look(control_);
   }
 
   [[nodiscard]] std::vector<SurfaceSight> surface_sights() {
@@ -120,7 +120,7 @@ class ReachComparison {
       }
     Acquisition acquisition = acquisition_;
     acquisition.scene = points;
-    std::vector<TargetSight> seen = SightSurvey(acquisition, numbers).look(control_);
+    std::vector<TargetVisibility> seen = VisibilitySurvey(acquisition, numbers).look(control_);
     for (std::size_t i = 0; i < sights.size(); ++i) sights[i].sight = std::move(seen[i]);
     return sights;
   }
@@ -150,8 +150,8 @@ class ReachComparison {
     return {radar::wrapped_angle(offset.azimuth_rad), radar::wrapped_angle(offset.elevation_rad)};
   }
 
-  [[nodiscard]] static core::Vec3 look_m(const PulseGeometry& geometry, std::uint32_t platform,
-                                         const core::Vec3& position_m) {
+  [[nodiscard]] static core::Vec3 line_of_sight_m(const PulseGeometry& geometry, std::uint32_t platform,
+                                                  const core::Vec3& position_m) {
     return radar::world_position_m(geometry.pose(platform), position_m) - geometry.radar_pose().position_world_m;
   }
 
@@ -162,7 +162,7 @@ class ReachComparison {
       const Scatterer s = scene_.scatterers[i];
       std::optional<double> incidence_rad;
       if (s.law == radar::ReflectivityLaw::user) incidence_rad = geometry.view(i, pointing).incidence_rad;
-      const radar::BeamOffset offset = offset_of(pointing, look_m(geometry, s.platform, s.position_m));
+      const radar::BeamOffset offset = offset_of(pointing, line_of_sight_m(geometry, s.platform, s.position_m));
       tables_.beyond(offset, incidence_rad, s.gain_curve, beyond_deg_);
       targets_.take(i, beyond_deg_);
     }
@@ -203,7 +203,7 @@ class ReachComparison {
       if (!view || view->delay_s + acquisition_.reception.pulse.last_s() < grid.first_s ||
           view->delay_s + acquisition_.reception.pulse.first_s() > grid.time_s(grid.count))
         continue;
-      const core::Vec3 look = look_m(geometry, sheet.platform, sheet.points_m[point]);
+      const core::Vec3 look = line_of_sight_m(geometry, sheet.platform, sheet.points_m[point]);
       tables_.beyond(offset_of(pointing, look), std::nullopt, 0, beyond_deg_);
       sheets_[number].take(point, beyond_deg_);
     }

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "simulate/survey/sight.hpp"
 #include "simulate/survey/survey.hpp"
+#include "simulate/survey/target_visibility.hpp"
 
 namespace sarsim::simulate {
 
@@ -26,19 +26,19 @@ struct AngleTables {
 /// A point of a surface as the beam passes it.
 struct SurfaceSight {
   std::size_t surface = 0;
-  TargetSight sight;
+  TargetVisibility sight;
 };
 
 /// What of a scene reaches farthest beyond tables.
 struct TableReach {
-  std::vector<TargetSight> targets;    ///< Of targets and of points of clouds, besides those that were examined.
-  std::vector<SurfaceSight> surfaces;  ///< Several of each surface that reaches beyond any.
+  std::vector<TargetVisibility> targets;  ///< Of targets and of points of clouds, besides those that were examined.
+  std::vector<SurfaceSight> surfaces;     ///< Several of each surface that reaches beyond any.
 };
 
 /// Looks for what is seen at angles beyond tables: among all targets and points of clouds in the window, up to 20 000
 /// of them evenly chosen, at three pulses; among the outermost and some other points of surfaces at nine. Those
-/// farthest beyond each table, up to 64 in all, are followed as `SightSurvey` does. Points between, at pulses between,
-/// may reach a little farther. Takes some milliseconds.
+/// farthest beyond each table, up to 64 in all, are followed as `VisibilitySurvey` does. Points between, at pulses
+/// between, may reach a little farther. Takes some milliseconds.
 /// @param examined  targets whose sights are known, ascending
 [[nodiscard]] TableReach reach_beyond_tables(const Acquisition& acquisition, const EchoSurvey& survey,
                                              const std::vector<std::size_t>& examined, const AngleTables& tables,

@@ -75,7 +75,7 @@ struct Farthest {
 
 class TableRules {
  public:
-  TableRules(const SightCase& sighted, core::Problems& problems)
+  TableRules(const VisibilityCase& sighted, core::Problems& problems)
       : sighted_(sighted), sights_(sighted.summary.sights), problems_(problems) {
     by_role_ = sighted.acquisition.scene->conventions.function_ends == Conventions::FunctionEnds::by_role;
   }
@@ -107,7 +107,7 @@ class TableRules {
     const bool knows_targets = survey.totals.in_window <= sights_.size();
     if ((cuts.empty() && curves.empty()) || (knows_targets && (cuts.empty() || !has_surfaces))) return;
     std::vector<std::size_t> examined;
-    for (const TargetSight& sight : sights_) examined.push_back(sight.target);
+    for (const TargetVisibility& sight : sights_) examined.push_back(sight.target);
     std::vector<core::AngleFunction> functions;
     for (const Cut& cut : cuts) functions.push_back(function_of(cut));
     AngleTables tables;
@@ -159,14 +159,14 @@ class TableRules {
     if (knots.size() < 2) return;
     const core::AngleFunction function = function_of(cut);
     Farthest farthest;
-    for (const TargetSight& sight : sights_)
+    for (const TargetVisibility& sight : sights_)
       if (take_cut(cut, function, sight, sight.target, farthest)) ++farthest.targets;
     if (farthest.targets == 0) return;
     report_cut(cut, radar, function, sentence_of(farthest.targets, sights_.size()), name_of(farthest.target), farthest);
   }
 
   // Whether it is seen beyond the cut.
-  static bool take_cut(const Cut& cut, const core::AngleFunction& function, const TargetSight& sight,
+  static bool take_cut(const Cut& cut, const core::AngleFunction& function, const TargetVisibility& sight,
                        std::size_t number, Farthest& farthest) {
     bool outside = false;
     for (const LitLook& look : sight.lit) {
@@ -211,7 +211,7 @@ class TableRules {
     Farthest farthest;
     std::size_t some = 0;
     const core::Interpolator* of = nullptr;
-    for (const TargetSight& sight : sights_) {
+    for (const TargetVisibility& sight : sights_) {
       const core::Interpolator* const curve = curve_of(sight.target);
       if (curve == nullptr || curve->knots().size() < 2) continue;
       ++some;
@@ -241,8 +241,8 @@ class TableRules {
     return s.law == radar::ReflectivityLaw::user ? &scene.gain_curves[s.gain_curve] : nullptr;
   }
 
-  const SightCase& sighted_;
-  std::vector<TargetSight> sights_;
+  const VisibilityCase& sighted_;
+  std::vector<TargetVisibility> sights_;
   std::vector<SurfaceSight> surfaces_;  // of one surface one after the other
   core::Problems& problems_;
   bool by_role_ = true;
@@ -303,7 +303,7 @@ class ProfileComparison {
     double worst_db = noticed_db, classic_db = 0.0, physical_db = 0.0;
     std::size_t worst_target = 0;
     radar::BeamOffset at;
-    for (const TargetSight& sight : summary_.sights) {
+    for (const TargetVisibility& sight : summary_.sights) {
       bool differs = false;
       for (const LitLook& look : sight.lit) {
         double one_db = 0.0, other_db = 0.0;
@@ -337,7 +337,7 @@ class ProfileComparison {
   void compare_reflectivities() {
     std::size_t targets = 0, worst_target = 0;
     double worst_db = noticed_db, classic_db = 0.0, physical_db = 0.0, at_deg = 0.0;
-    for (const TargetSight& sight : summary_.sights) {
+    for (const TargetVisibility& sight : summary_.sights) {
       if (sight.target >= scene_.targets.size()) continue;
       const scene::TargetTraits& traits = *scene_.targets[sight.target].traits;
       if (traits.reflectivity != scene::TargetTraits::Reflectivity::directional ||
@@ -394,7 +394,7 @@ core::Problems differences_of_profiles(const scene::Scene& scene, std::span<cons
   return problems;
 }
 
-void check_tables(const SightCase& sighted, const EchoSurvey& survey, core::Problems& problems) {
+void check_tables(const VisibilityCase& sighted, const EchoSurvey& survey, core::Problems& problems) {
   TableRules(sighted, problems).check(survey);
 }
 

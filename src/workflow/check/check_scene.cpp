@@ -14,7 +14,7 @@ namespace sarsim::workflow {
 void add_remarks(SceneInput& input, const core::WorkControl& control) {
   core::Problems found = output_names(input.scene, {}).problems;
   if (input.resolved && !core::has_errors(input.problems))
-    std::ranges::move(remarks_of_commands(input.scene, simulate::thinned(input.resolved, max_cloud_looks), control),
+    std::ranges::move(diagnose_commands(input.scene, simulate::thinned(input.resolved, max_cloud_looks), control),
                       std::back_inserter(found));
   scene::locate(found, input.places);
   std::ranges::move(found, std::back_inserter(input.problems));

@@ -11,13 +11,13 @@
 #include <tuple>
 #include <utility>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "radar/path/path.hpp"
 #include "scene/model/scene_index.hpp"
 #include "simulate/plan/acquisition.hpp"
 #include "simulate/survey/beam_passes.hpp"
 #include "workflow/focus/focus.hpp"
-#include "workflow/focus/sar_looks.hpp"
+#include "workflow/focus/target_aspects.hpp"
 #include "workflow/search/doppler.hpp"
 #include "workflow/search/pulse_input.hpp"
 #include "workflow/search/search_checks.hpp"
@@ -87,15 +87,15 @@ Movement movement_of(const simulate::Acquisition& acquisition) {
   return movement;
 }
 
-// As `SarLooks` takes them.
+// As `TargetAspects` takes them.
 std::size_t looks_at_targets(const simulate::Acquisition& acquisition) {
-  return std::min(static_cast<std::size_t>(acquisition.timing.pulses.count()), SarLooks::usual_looks);
+  return std::min(static_cast<std::size_t>(acquisition.timing.pulses.count()), TargetAspects::usual_looks);
 }
 
-core::Problems remarks_on_pulses(const simulate::Acquisition& acquisition, std::size_t pulses,
-                                 const core::WorkControl& control) {
+core::Problems diagnose_pulses(const simulate::Acquisition& acquisition, std::size_t pulses,
+                               const core::WorkControl& control) {
   const SearchOptions options = search_options({}, acquisition, pulses);
-  return problems_of_search(acquisition, options).empty() ? remarks_on_search(acquisition, options, control)
+  return problems_of_search(acquisition, options).empty() ? diagnose_search(acquisition, options, control)
                                                           : core::Problems{};
 }
 
@@ -148,7 +148,7 @@ class Asking {
       add(command, index, answer);
       scene_.simulations[index] = asked;
     };
-    take("search", detects && (simulate::turns(acquisition.link.beam) || (sweeps && !movement.radar)),
+    take("search", detects && (simulate::is_scanning(acquisition.link.beam) || (sweeps && !movement.radar)),
          [&] { return search(index); });
     take("doppler", detects && !sweeps && !movement.radar && movement.targets && !movement.turning,
          [&] { return doppler(index); });
@@ -158,7 +158,7 @@ class Asking {
     take("isar", suits_use(SteppedUse::isar)(scene_, asked) && (movement.turning || (steps && movement.moving)),
          [&] { return isar(index, acquisition); });
     take("focus",
-         pulses && movement.radar && movement.aperture && !simulate::turns(acquisition.link.beam) &&
+         pulses && movement.radar && movement.aperture && !simulate::is_scanning(acquisition.link.beam) &&
              acquisition.scene->scatterers.size() <= max_focus_looks / looks_at_targets(acquisition),
          [&] { return focus(index, acquisition); });
   }
@@ -168,7 +168,7 @@ class Asking {
     core::Problems remarks;
     try {
       remarks = answer();
-    } catch (const core::Refused& refused) {
+    } catch (const core::InvalidRequest& refused) {
       remarks = refused.problems;
     }
     if (core::has_errors(remarks)) {
@@ -195,17 +195,17 @@ class Asking {
 
   [[nodiscard]] core::Problems search(std::size_t index) {
     const auto acquisition = acquisition_of_pulses(scene_, index, resolved_, control_.stop);
-    return remarks_on_pulses(*acquisition, dwell_pulses(*acquisition), control_);
+    return diagnose_pulses(*acquisition, dwell_pulses(*acquisition), control_);
   }
 
   [[nodiscard]] core::Problems doppler(std::size_t index) {
     const auto acquisition = acquisition_of_pulses(scene_, index, resolved_, control_.stop);
-    return remarks_on_pulses(*acquisition, doppler_pulses(*acquisition), control_);
+    return diagnose_pulses(*acquisition, doppler_pulses(*acquisition), control_);
   }
 
   [[nodiscard]] core::Problems profiles(std::size_t index, const simulate::Acquisition& acquisition) {
     const SteppedInput input = stepped_input_of(scene_, index, acquisition, SteppedUse::profiles);
-    return core::has_errors(input.problems) ? core::Problems{} : remarks_on_profiles(input.rows, {});
+    return core::has_errors(input.problems) ? core::Problems{} : diagnose_profiles(input.rows, {});
   }
 
   [[nodiscard]] core::Problems isar(std::size_t index, const simulate::Acquisition& acquisition) {
@@ -213,12 +213,12 @@ class Asking {
     if (core::has_errors(input.problems) || input.rows.bursts < 2) return {};
     IsarOptions options;
     options.platform = platform_of_targets(*input.rows.acquisition).value();
-    return remarks_on_isar(input.rows, {0}, input.rows.bursts, options, control_);
+    return diagnose_isar(input.rows, {0}, input.rows.bursts, options, control_);
   }
 
   [[nodiscard]] core::Problems focus(std::size_t index, const simulate::Acquisition& acquisition) {
     FocusInput input = focus_input_of(scene_, index, acquisition);
-    return core::has_errors(input.problems) ? input.problems : remarks_of_focus(std::move(input), control_);
+    return core::has_errors(input.problems) ? input.problems : diagnose_focus(std::move(input), control_);
   }
 
   scene::Scene scene_;  // With the radar that is asked about, and no other.
@@ -233,9 +233,9 @@ class Asking {
 
 }  // namespace
 
-core::Problems remarks_of_commands(const scene::Scene& scene,
-                                   const std::shared_ptr<const simulate::ResolvedScene>& resolved,
-                                   const core::WorkControl& control) {
+core::Problems diagnose_commands(const scene::Scene& scene,
+                                 const std::shared_ptr<const simulate::ResolvedScene>& resolved,
+                                 const core::WorkControl& control) {
   return Asking(scene, resolved, control).all();
 }
 

@@ -28,8 +28,8 @@ namespace sarsim::workflow {
 /// @param scene     has passed `check` and the survey without errors
 /// @param resolved  what `resolve` gives for it
 /// @throw  Interrupted
-[[nodiscard]] core::Problems remarks_of_commands(const scene::Scene& scene,
-                                                 const std::shared_ptr<const simulate::ResolvedScene>& resolved,
-                                                 const core::WorkControl& control = {});
+[[nodiscard]] core::Problems diagnose_commands(const scene::Scene& scene,
+                                               const std::shared_ptr<const simulate::ResolvedScene>& resolved,
+                                               const core::WorkControl& control = {});
 
 }  // namespace sarsim::workflow

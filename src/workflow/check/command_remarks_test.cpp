@@ -21,7 +21,7 @@ using ::testing::Not;
 std::string said(const scene::Scene& scene) {
   const auto resolved = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(scene));
   std::string text;
-  for (const core::Problem& problem : remarks_of_commands(scene, resolved, {2, nullptr}))
+  for (const core::Problem& problem : diagnose_commands(scene, resolved, {2, nullptr}))
     text += core::to_string(problem) + "\n";
   return text;
 }
@@ -156,7 +156,7 @@ TEST(RemarksOfCommands, AskEachCommandOnceForARadar) {
 TEST(RemarksOfCommands, StandAtTheirSimulation) {
   scene::Scene scene = noisy(40.0);
   const auto resolved = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(scene));
-  const core::Problems problems = remarks_of_commands(scene, resolved);
+  const core::Problems problems = diagnose_commands(scene, resolved);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].subject, (core::Subject{"simulation", 0, ""}));
 }

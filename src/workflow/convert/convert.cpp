@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/os/output_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/image_export.hpp"
 #include "raster/format/sinks.hpp"
@@ -32,7 +32,7 @@ std::optional<scene::FileFormat> output_format(const ConvertRequest& request, bo
   if (const auto format = raster::format_from_path(request.output)) return *format;
   if (core::equal_ignoring_case(std::filesystem::path(request.output).extension().string(), ".img")) {
     if (image && !request.counts) return std::nullopt;
-    throw core::Refused(
+    throw core::InvalidRequest(
         image ? fmt::format("--counts: an image such as '{}' holds volts", request.output)
               : fmt::format("'{}' has no header that makes it an image as '{}'", request.input, request.output),
         fmt::format("say another format with --to {}", raster::format_words()));
@@ -40,7 +40,7 @@ std::optional<scene::FileFormat> output_format(const ConvertRequest& request, bo
   expect_no_picture(request.output, "--out");
   const std::string extension = std::filesystem::path(request.output).extension().string();
   const scene::TradeChoice* const meant = extension.empty() ? nullptr : scene::trade_choice(extension, "format");
-  throw core::Refused(
+  throw core::InvalidRequest(
       fmt::format("the extension of '{}' names no format", request.output),
       meant != nullptr && !meant->word.empty()
           ? fmt::format("say --to {}{}", meant->word, meant->note.empty() ? "" : fmt::format(": {}", meant->note))
@@ -186,7 +186,7 @@ class Conversion {
     if (product_.bits == 0 && options_.counts && (sized || change_ == Change::to_counts))
       need("the A/D bits", "--bits");
     if (product_.lsb_v <= 0.0 && change_ != Change::none) need("the LSB", "--lsb");
-    if (!problems.empty()) throw core::Refused(std::move(problems));
+    if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
     if (product_.lsb_v <= 0.0) product_.unknown.emplace_back("lsb_v");
     if (product_.bits > 0) return;
     // Enough for all counts; volts have none.
@@ -313,9 +313,10 @@ class Conversion {
 ConvertReport convert(const ConvertRequest& request, const core::Observer& observer) {
   if (is_sicd(request.output) && !request.to) return convert_to_sicd(request, observer);
   if (request.anchor)
-    throw core::Refused("--anchor says where a SICD file lies on the Earth", "name the output .nitf, or leave it out");
+    throw core::InvalidRequest("--anchor says where a SICD file lies on the Earth",
+                               "name the output .nitf, or leave it out");
   if (request.simulation && request.sample.script.empty())
-    throw core::Refused("--simulation is a number in a script", "name it with --script");
+    throw core::InvalidRequest("--simulation is a number in a script", "name it with --script");
   const raster::RasterHints hints =
       request.held ? raster::RasterHints() : hints_for(request.input, request.sample, request.simulation, observer);
   SampleFile samples = request.held ? SampleFile{request.held, {}} : open_samples(request.input, hints, observer);

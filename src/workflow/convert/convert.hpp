@@ -43,8 +43,8 @@ struct ConvertReport {
 /// Copies a file of samples into another format: volts become counts, counts volts, as the new format wants them. An
 /// image keeps its header as far as the new format has place for it. Rows pass in blocks, so memory stays bounded.
 /// @param observer  hears warnings about the input before anything is written
-/// @throws core::Refused with all problems where the input cannot be read, something that the change needs is not
-/// known, the output may not be written, or volts are too large for the single precision of the new file
+/// @throws core::InvalidRequest with all problems where the input cannot be read, something that the change needs is
+/// not known, the output may not be written, or volts are too large for the single precision of the new file
 /// @throws core::Interrupted when stopped; nothing is left behind
 [[nodiscard]] ConvertReport convert(const ConvertRequest& request, const core::Observer& observer);
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/os/output_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
@@ -57,7 +57,7 @@ std::string script_text(const SceneInput& input) {
   });
   if (problems.empty()) return text;
   scene::locate(problems, input.places);
-  throw core::Refused(std::move(problems));
+  throw core::InvalidRequest(std::move(problems));
 }
 
 // All names of a scene in a row.
@@ -82,12 +82,12 @@ core::Problems convert_scene(const ConvertSceneRequest& request, const core::Wor
   const auto language = language_of_name(request.output);
   if (!language) {
     const auto format = raster::format_from_path(request.output);
-    throw core::Refused(
+    throw core::InvalidRequest(
         fmt::format("'{}' names no language of scenes", request.output),
         format ? fmt::format("to record the scene: sarsim run {} --format {}", request.input, format_word(*format))
                : "end it with .toml for format 2 or .scr for the language of 1998");
   }
-  const SceneInput input = read_scene(request.input, request.overrides, Scrutiny::files, control);
+  const SceneInput input = read_scene(request.input, request.overrides, CheckLevel::files, control);
   expect_usable(input);
   expect_free_outputs({request.output}, {input.sources, request.force, "OUT"});
   const std::string text = scene_text(input, *language);

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/format/npy_header.hpp"
 #include "raster/format/open_raster.hpp"
 #include "workflow/convert/convert_scene.hpp"
@@ -54,7 +54,7 @@ class Convert : public testing::Test {
   std::string refusal(const std::string& output) {
     try {
       static_cast<void>(converted(output));
-    } catch (const core::Refused& refused) {
+    } catch (const core::InvalidRequest& refused) {
       std::string text;
       for (const core::Problem& problem : refused.problems) text += core::to_string(problem) + "\n";
       return text;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/os/output_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/format/npy_header.hpp"
 #include "workflow/image/image_facts.hpp"
 
@@ -63,7 +63,7 @@ std::optional<raster::EnviHeader> header_beside(const fs::path& path, const rast
   if (!file.info().format->envi_header || (file.info().format->recording && !raster::has_envi_header(path)))
     return std::nullopt;
   auto [image, problems] = raster::EnviImage::open(path);
-  if (!image) throw core::Refused(std::move(problems));
+  if (!image) throw core::InvalidRequest(std::move(problems));
   const raster::EnviHeader& header = image->header();
   if (header.lines != file.rows() || header.samples != file.columns()) return std::nullopt;
   return header;

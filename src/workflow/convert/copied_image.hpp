@@ -11,7 +11,7 @@
 namespace sarsim::workflow {
 
 /// The ENVI header that describes a file of samples as it was opened; nothing where none does, as for recordings.
-/// Throws core::Refused and std::system_error like EnviImage.
+/// Throws core::InvalidRequest and std::system_error like EnviImage.
 [[nodiscard]] std::optional<raster::EnviHeader> header_beside(const std::filesystem::path& path,
                                                               const raster::Raster& file);
 

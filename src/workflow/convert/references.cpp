@@ -12,7 +12,7 @@
 
 #include "core/os/input_file.hpp"
 #include "core/os/output_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/zarr_store.hpp"
@@ -173,7 +173,7 @@ class ReferenceWriter {
 
 core::InputFile opened(const std::string& path) {
   auto file = core::InputFile::open(path);
-  if (auto* problem = std::get_if<core::Problem>(&file)) throw core::Refused({std::move(*problem)});
+  if (auto* problem = std::get_if<core::Problem>(&file)) throw core::InvalidRequest({std::move(*problem)});
   return std::move(std::get<core::InputFile>(file));
 }
 
@@ -201,14 +201,14 @@ std::vector<raster::StoredArray> arrays_of(const raster::Raster& raster, const c
                                            const raster::RasterHints& hints) {
   const raster::Format& format = *raster.info().format;
   if (format.arrays == nullptr)
-    throw core::Refused(
+    throw core::InvalidRequest(
         fmt::format("--references: the numbers of '{}' ({}) do not stand in the file as programs have them in memory",
                     file.path().string(), raster::word_of(format)),
         "convert it to .h5, .npy or .zarr first");
   auto arrays = format.arrays(file, hints);
   if (auto* problem = std::get_if<core::Problem>(&arrays)) {
     problem->place.file = file.path().string();
-    throw core::Refused({std::move(*problem)});
+    throw core::InvalidRequest({std::move(*problem)});
   }
   return std::move(std::get<std::vector<raster::StoredArray>>(arrays));
 }
@@ -231,7 +231,7 @@ void write_references(const ReferencesRequest& request, const core::Observer& ob
   const raster::RasterHints hints = hints_for(request.input, request.sample, observer);
   const std::shared_ptr<const raster::Raster> raster = open_samples(request.input, hints, observer).file;
   if (raster->info().format->folder)
-    throw core::Refused(
+    throw core::InvalidRequest(
         fmt::format("--references: '{}' is a Zarr store, which readers of Zarr open as it is", request.input),
         "name the store itself to them");
   // The last of several files has the samples.

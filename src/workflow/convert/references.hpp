@@ -34,8 +34,8 @@ struct ArrayCut {
 /// makes them; docs/formats/references.md): with it, readers of Zarr version 2 see the file as an array of pieces,
 /// without its library and without a copy. HDF5, NPY, BINARY and ENVI; the file may be of any size and stays as it is.
 /// @param observer  hears warnings about the input
-/// @throws core::Refused where the input cannot be read, its numbers do not stand in the file as they are, or the
-/// output may not be written
+/// @throws core::InvalidRequest where the input cannot be read, its numbers do not stand in the file as they are, or
+/// the output may not be written
 void write_references(const ReferencesRequest& request, const core::Observer& observer);
 
 }  // namespace sarsim::workflow

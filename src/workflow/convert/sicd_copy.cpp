@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/format/envi.hpp"
 #include "raster/sicd/sicd_writer.hpp"
 #include "scene/model/world_frame.hpp"
@@ -38,11 +38,11 @@ CopiedImage opened_image(const ConvertRequest& request, const core::Observer& ob
   opened.file = open_samples(request.input, hints, observer).file;
   auto header = header_beside(request.input, *opened.file);
   if (!header || !header->field("image plane"))
-    throw core::Refused(fmt::format("'{}' is not a focused image, and a SICD file is one", request.input),
-                        "name an image of sarsim focus, in ENVI, NPY or HDF5; or focus into .nitf");
+    throw core::InvalidRequest(fmt::format("'{}' is not a focused image, and a SICD file is one", request.input),
+                               "name an image of sarsim focus, in ENVI, NPY or HDF5; or focus into .nitf");
   if (is_of_magnitudes(*header))
-    throw core::Refused(fmt::format("'{}' holds magnitudes, and a SICD file has phases", request.input),
-                        "name the complex image beside it");
+    throw core::InvalidRequest(fmt::format("'{}' holds magnitudes, and a SICD file has phases", request.input),
+                               "name the complex image beside it");
   opened.header = *std::move(header);
   read_header(opened.header, request.input, opened.image, opened.origin);
   return opened;
@@ -75,8 +75,8 @@ void copy_rows(const CopiedImage& opened, raster::SicdWriter& writer, const core
 
 ConvertReport convert_to_sicd(const ConvertRequest& request, const core::Observer& observer) {
   if (request.to || request.counts || request.header)
-    throw core::Refused("--to, --counts and --header are for files of samples, and a SICD file is an image",
-                        "leave them out");
+    throw core::InvalidRequest("--to, --counts and --header are for files of samples, and a SICD file is an image",
+                               "leave them out");
   const core::WorkControl control = observer.control(core::thread_count(0));
   const CopiedImage opened = opened_image(request, observer);
   OutputCare care{{request.input}, request.force, "OUT"};

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/worker_pool.hpp"
 #include "core/text/number_text.hpp"
 #include "simulate/run/computed_rows.hpp"
@@ -33,7 +33,7 @@ std::vector<double> numbers_of(const std::string& text, std::size_t count, const
     rest.remove_prefix(more ? comma + 1 : rest.size());
   }
   if (!good || numbers.size() != count)
-    throw core::Refused(
+    throw core::InvalidRequest(
         {core::problem_of(core::Severity::error, fmt::format("{} is malformed", option), text, expected, {})});
   return numbers;
 }
@@ -113,7 +113,7 @@ Collection open_collection(const CollectionArguments& arguments, const core::Wor
                                                 : opened_file(arguments.input, control, remarks);
   core::Problems problems = problems_of_sar(*opened.acquisition, true);
   expect_exchangeable(*opened.acquisition, problems);
-  if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
+  if (core::has_errors(problems)) throw core::InvalidRequest(core::ranked(std::move(problems)));
   EarthPlace place = earth_place(opened.world, arguments.anchor, arguments.format);
   std::ranges::move(place.remarks, std::back_inserter(remarks));
   Collection collection{.acquisition = opened.acquisition,

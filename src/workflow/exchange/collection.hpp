@@ -28,7 +28,7 @@ struct ReferencePoint {
   core::Vec3 given_world_m{};  ///< Kind::given.
 };
 
-/// Reads "fixed", "moving" or "X,Y,Z" in m of the world; throws core::Refused for anything else.
+/// Reads "fixed", "moving" or "X,Y,Z" in m of the world; throws core::InvalidRequest for anything else.
 [[nodiscard]] ReferencePoint reference_point_from(const std::string& text);
 /// A recording of raw pulses with its place on the Earth: what CPHD and CRSD files are made of.
 struct Collection {
@@ -60,7 +60,8 @@ struct CollectionArguments {
 /// A scene is recorded raw, with band-limited pulses unless the arguments say otherwise, and longer by a pulse, so that
 /// the echoes at the end of its window are there as a whole.
 /// @param[in,out] remarks  gets warnings and notes
-/// @throws core::Refused where the recording cannot be exchanged: other processing than raw, the classic profile, an
+/// @throws core::InvalidRequest where the recording cannot be exchanged: other processing than raw, the classic
+/// profile, an
 ///         anchor that is missing or given twice
 [[nodiscard]] Collection open_collection(const CollectionArguments& arguments, const core::WorkControl& control,
                                          core::Problems& remarks);

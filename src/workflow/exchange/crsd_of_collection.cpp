@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "radar/earth/ellipsoid.hpp"
 #include "radar/waveform/pulse.hpp"
 #include "workflow/exchange/reference_geometry.hpp"
@@ -103,7 +103,7 @@ void expect_receivable(const simulate::Acquisition& acquisition) {
     refuse("the recorded windows overlap", fmt::format("{:.6g} us", 1e6 * window_s),
            fmt::format("at most {:.6g} us, the shortest pulse interval", 1e6 * shortest_s),
            "shorten the range, or lower the repetition");
-  if (!problems.empty()) throw core::Refused(core::ranked(std::move(problems)));
+  if (!problems.empty()) throw core::InvalidRequest(core::ranked(std::move(problems)));
 }
 
 ReceivedPulses::ReceivedPulses(const Collection& collection) : collection_(&collection), geometry_(collection) {}

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/cphd/cphd_writer.hpp"
 #include "workflow/exchange/cphd_of_collection.hpp"
@@ -23,7 +23,7 @@ void expect_divisible(const Collection& collection, const HistoryShape& shape, c
   const simulate::Acquisition& acquisition = *collection.acquisition;
   const DelaySpan whole = whole_echoes(acquisition);
   if (!(whole.first_s < whole.last_s))
-    throw core::Refused({core::problem_of(
+    throw core::InvalidRequest({core::problem_of(
         core::Severity::error, "the recorded window is shorter than the pulse: it holds no echo as a whole",
         fmt::format("{:.6g} us", 1e6 * static_cast<double>(acquisition.reception.raw_grid.count) *
                                      acquisition.reception.raw_grid.interval_s),
@@ -32,7 +32,7 @@ void expect_divisible(const Collection& collection, const HistoryShape& shape, c
   const double lost = 1.0 - (shape.toa2_s - shape.toa1_s) / (whole.last_s - whole.first_s);
   const char* const other = "add --reference-point moving, or record for a shorter time";
   if (!(lost < 1.0))
-    throw core::Refused({core::problem_of(
+    throw core::InvalidRequest({core::problem_of(
         core::Severity::error, "no range around the reference point is recorded in all pulses", {}, {}, other)});
   if (lost > 0.5)
     remarks.push_back(core::problem_of(
@@ -43,7 +43,7 @@ void expect_divisible(const Collection& collection, const HistoryShape& shape, c
         {}, {}, other));
   const double share = PhaseHistory(collection, shape).weakest_share(acquisition.timing.rows / 2);
   if (!(share >= min_share))
-    throw core::Refused({core::problem_of(
+    throw core::InvalidRequest({core::problem_of(
         core::Severity::error, "the spectrum of the pulse has gaps, by which CPHD cannot divide",
         fmt::format("{:.2g} of its largest magnitude", share), fmt::format("at least {:g} within the band", min_share),
         "use a chirp; CRSD takes any pulse as it is")});

@@ -31,7 +31,7 @@ struct ExportReport {
 /// Writes a scene or a recording as CPHD (docs/formats/cphd.md) or CRSD (docs/formats/crsd.md). Vectors are computed on
 /// all threads and written in order: the bytes do not depend on their number, and memory does not grow with the
 /// recording.
-/// @throws core::Refused with all problems; core::Interrupted when stopped, and nothing is left behind
+/// @throws core::InvalidRequest with all problems; core::Interrupted when stopped, and nothing is left behind
 ExportReport export_recording(const ExportRequest& request, const core::Observer& observer);
 
 }  // namespace sarsim::workflow

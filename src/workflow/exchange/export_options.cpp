@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/letters.hpp"
 #include "workflow/input/earth_place.hpp"
 
@@ -41,11 +41,11 @@ OptionTable<ExportRequest> export_option_table() {
 ExportRequest export_request(const RecordingArguments& input, const GivenWords& given) {
   ExportRequest request;
   TakenProblems mistakes = export_option_table().take_words(given, request);
-  if (!mistakes.empty()) throw core::Refused(std::move(mistakes.early));
+  if (!mistakes.empty()) throw core::InvalidRequest(std::move(mistakes.early));
   request.input = input;
   if (!is_exchange_file(request.output))
-    throw core::Refused(fmt::format("'{}' is not the name of a CPHD or CRSD file", request.output.string()),
-                        "let --out end with .cphd or .crsd");
+    throw core::InvalidRequest(fmt::format("'{}' is not the name of a CPHD or CRSD file", request.output.string()),
+                               "let --out end with .cphd or .crsd");
   return request;
 }
 

@@ -11,8 +11,8 @@ namespace sarsim::workflow {
 /// Those and what else such a file takes: --out, --anchor, --force.
 [[nodiscard]] OptionTable<ExportRequest> export_option_table();
 
-/// The request that the words stand for. Throws core::Refused with what is wrong with them, and where --out does not
-/// name a file of one of the standards.
+/// The request that the words stand for. Throws core::InvalidRequest with what is wrong with them, and where --out does
+/// not name a file of one of the standards.
 /// @param input  the echoes
 [[nodiscard]] ExportRequest export_request(const RecordingArguments& input, const GivenWords& given);
 

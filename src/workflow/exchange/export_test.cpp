@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/maths/constants.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/cphd/cphd_test_support.hpp"
 #include "workflow/exchange/phase_history.hpp"
 
@@ -81,7 +81,7 @@ std::string words_of(const core::Problems& problems) {
 std::string refusal_of(const ExportRequest& request) {
   try {
     export_recording(request, {});
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     return words_of(refused.problems);
   }
   return "nothing was refused";
@@ -435,7 +435,7 @@ TEST(ExportCphd, RefusesWhatCannotBe) {
   request = scene.request("small.toml");
   EXPECT_THAT(refusal_of(request), HasSubstr("small.toml"));
   for (const char* text : {"here", "1,2", "1,2,x", "1,2,3,4", ""})
-    EXPECT_THROW(static_cast<void>(reference_point_from(text)), core::Refused) << text;
+    EXPECT_THROW(static_cast<void>(reference_point_from(text)), core::InvalidRequest) << text;
   EXPECT_FALSE(fs::exists(scene.folder / "bad.cphd"));
 }
 

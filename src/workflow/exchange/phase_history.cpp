@@ -139,7 +139,7 @@ void PhaseHistory::transform_reference(const CollectedPulse& pulse) {
   const double whole = std::floor(place);
   const double rest_s = (place - whole) * grid.interval_s;
   echo_.clear();
-  if (pulse.clock.bend_per_s != 0.0)
+  if (pulse.clock.dilation_rate != 0.0)
     echo_.add(rest_s, 1.0, pulse.clock);
   else
     echo_.add(rest_s, 1.0, pulse.clock.doppler);

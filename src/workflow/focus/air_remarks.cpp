@@ -10,7 +10,7 @@
 
 namespace sarsim::workflow {
 
-core::Problems remarks_on_air(const simulate::Acquisition& acquisition) {
+core::Problems diagnose_air(const simulate::Acquisition& acquisition) {
   if (acquisition.link.air == nullptr) return {};
   simulate::PulseGeometry geometry(*acquisition.scene, acquisition.link);
   geometry.set_pulse(acquisition.timing.pulses.first + acquisition.timing.pulses.count() / 2);

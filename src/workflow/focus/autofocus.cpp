@@ -14,7 +14,7 @@
 
 #include "core/maths/decibels.hpp"
 #include "core/os/output_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "signal/sar/autofocus.hpp"
@@ -59,9 +59,9 @@ void expect_memory(const signal::FocusedImage& image, double piece_m, std::size_
   const double rows = static_cast<double>(image.azimuth.count);
   const double bytes = columns * (3.0 * 8.0 * rows + 3.0 * 16.0 * piece_m / image.azimuth.step_m);
   if (memory_bytes == 0 || bytes <= static_cast<double>(memory_bytes)) return;
-  throw core::Refused(fmt::format("autofocus holds the image in memory, {}, but --memory allows {}",
-                                  core::bytes_text(bytes), core::bytes_text(static_cast<double>(memory_bytes))),
-                      "allow more, or do without --autofocus");
+  throw core::InvalidRequest(fmt::format("autofocus holds the image in memory, {}, but --memory allows {}",
+                                         core::bytes_text(bytes), core::bytes_text(static_cast<double>(memory_bytes))),
+                             "allow more, or do without --autofocus");
 }
 
 // Of a piece, in metres.
@@ -71,12 +71,12 @@ double piece_of(const signal::FocusedImage& axes, const AutofocusChoice& choice,
   const double min_m = min_rows * axes.azimuth.step_m;
   const double length_m = static_cast<double>(axes.azimuth.count) * axes.azimuth.step_m;
   if (!(length_m >= min_m))
-    throw core::Refused(
+    throw core::InvalidRequest(
         fmt::format("autofocus needs an image of {:.0f} rows or more; this one has {}", min_rows, axes.azimuth.count),
         "record more pulses, or do without --autofocus");
   if (!(choice.piece_m > 0.0)) return std::clamp(share_of_aperture * aperture_m, min_m, length_m);
   if (!(choice.piece_m >= min_m && choice.piece_m <= length_m))
-    throw core::Refused(
+    throw core::InvalidRequest(
         fmt::format("autofocus cannot work on pieces of {:.4g} m", choice.piece_m),
         fmt::format("--autofocus-piece: {:.4g} to {:.4g} m, sixteen rows to the whole image", min_m, length_m));
   return choice.piece_m;
@@ -301,7 +301,7 @@ std::string failure_of(const AutofocusFinding& finding) {
   return {};
 }
 
-core::Problems remarks_on_autofocus(const AutofocusFinding& finding) {
+core::Problems diagnose_autofocus(const AutofocusFinding& finding) {
   const std::string failure = failure_of(finding);
   if (failure.empty() || !(finding.rms_rad > 0.0)) return {};
   // A small error found in a sharp image needs no advice.

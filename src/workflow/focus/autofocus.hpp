@@ -9,7 +9,7 @@
 
 #include "core/task/parallel.hpp"
 #include "signal/sar/focusing.hpp"
-#include "workflow/focus/sar_ghosts.hpp"
+#include "workflow/focus/azimuth_ambiguities.hpp"
 
 namespace sarsim::workflow {
 
@@ -42,7 +42,7 @@ struct AutofocusFinding {
 [[nodiscard]] std::string failure_of(const AutofocusFinding& finding);
 
 /// The same as a warning that says what to try.
-[[nodiscard]] core::Problems remarks_on_autofocus(const AutofocusFinding& finding);
+[[nodiscard]] core::Problems diagnose_autofocus(const AutofocusFinding& finding);
 
 /// How it is to go to work.
 struct AutofocusChoice {
@@ -52,7 +52,8 @@ struct AutofocusChoice {
   std::size_t memory_bytes = 0;  ///< 0: no limit.
 };
 
-/// Throws core::Refused where an image with these axes is too short for the pieces, or the memory too small for it.
+/// Throws core::InvalidRequest where an image with these axes is too short for the pieces, or the memory too small for
+/// it.
 /// @param echoes   their track and waveform
 /// @param targets  from the line of the track (`targets_from_line`)
 void expect_autofocus(const signal::FocusedImage& axes, const signal::EchoRows& echoes,
@@ -60,7 +61,7 @@ void expect_autofocus(const signal::FocusedImage& axes, const signal::EchoRows& 
                       const signal::FocusOptions& options);
 
 /// Phase gradient autofocus of a strip (signal/sar/autofocus.hpp), in memory, at the Doppler frequencies that the
-/// targets have. The image, sharper where it was, and what was found. core::Refused as above.
+/// targets have. The image, sharper where it was, and what was found. core::InvalidRequest as above.
 [[nodiscard]] std::pair<signal::FocusedRows, AutofocusFinding> autofocused(
     const signal::FocusedRows& rows, const signal::EchoRows& echoes, const std::vector<SarTarget>& targets,
     const AutofocusChoice& choice, const signal::FocusOptions& options, const core::WorkControl& control);

@@ -73,12 +73,12 @@ TEST(AutofocusFailure, IsAPeakThatFallsWhateverElseGrows) {
 }
 
 TEST(AutofocusFailure, IsAWarningOfWhatIsNotTakenOut) {
-  const core::Problems failed = remarks_on_autofocus(finding(15.8, 16.196, 16.194));
+  const core::Problems failed = diagnose_autofocus(finding(15.8, 16.196, 16.194));
   ASSERT_EQ(failed.size(), 1U);
   EXPECT_EQ(failed[0].severity, core::Severity::warning);
   EXPECT_THAT(failed[0].message, HasSubstr("autofocus failed: it found 15.8 rad rms"));
-  EXPECT_EQ(remarks_on_autofocus(finding(0.02, 9.0, 9.1)).at(0).severity, core::Severity::note);
-  EXPECT_TRUE(remarks_on_autofocus(finding(4.5, 12.0, 11.0)).empty());
+  EXPECT_EQ(diagnose_autofocus(finding(0.02, 9.0, 9.1)).at(0).severity, core::Severity::note);
+  EXPECT_TRUE(diagnose_autofocus(finding(4.5, 12.0, 11.0)).empty());
 }
 
 }  // namespace autofocus_test

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "signal/sar/back_projection.hpp"
@@ -95,7 +95,7 @@ void expect_ground_in_reach(const signal::FocusedImage& axes, double ground_m) {
   const double level = std::hypot(axes.frame.along.x, axes.frame.along.y);
   const double nearest_m = std::abs(axes.frame.origin_m.z - ground_m) / std::max(level, 1e-6);
   if (level < 1e-6 || axes.range.at(static_cast<double>(axes.range.count)) > nearest_m) return;
-  throw core::Refused(
+  throw core::InvalidRequest(
       fmt::format("back projection: ground at {:.6g} m is {:.6g} m or more away, farther than all ranges "
                   "of the image",
                   ground_m, nearest_m),
@@ -114,12 +114,12 @@ std::optional<double> place_axes(signal::FocusedImage& axes, const FocusInput& i
     return scene_m.z;
   }
   if (core::norm(core::cross(axes.frame.along, {0.0, 0.0, 1.0})) < 1e-6)
-    throw core::Refused("--grid ground: the antenna flies vertically, so ground range is undefined",
-                        "leave out --grid ground");
+    throw core::InvalidRequest("--grid ground: the antenna flies vertically, so ground range is undefined",
+                               "leave out --grid ground");
   try {
     axes = signal::on_ground(axes, scene_m);
   } catch (const std::invalid_argument& error) {
-    throw core::Refused(error.what(), "give the ground another --height, or leave out --grid ground");
+    throw core::InvalidRequest(error.what(), "give the ground another --height, or leave out --grid ground");
   }
   return std::nullopt;
 }
@@ -131,7 +131,7 @@ void cut_range(signal::ImageAxis& range, const signal::AxisInterval& area) {
   const double last = range.index_of(area.last_m);
   if (!(std::abs(first) <= max_columns && std::abs(last) <= max_columns)) {
     const double max_m = max_columns * range.step_m;
-    throw core::Refused({core::problem_of(
+    throw core::InvalidRequest({core::problem_of(
         core::Severity::error, "--range reaches too far from the recorded ranges",
         fmt::format("{:.6g} to {:.6g} m", area.first_m, area.last_m),
         fmt::format("ranges from {:.6g} to {:.6g} m", range.first_m - max_m, range.first_m + max_m),
@@ -144,7 +144,8 @@ void cut_range(signal::ImageAxis& range, const signal::AxisInterval& area) {
 
 void expect_samples(const signal::FocusedImage& axes) {
   if (axes.azimuth.count == 0 || axes.range.count == 0)
-    throw core::Refused("no sample of the image lies in the area of --azimuth and --range", "give a larger area");
+    throw core::InvalidRequest("no sample of the image lies in the area of --azimuth and --range",
+                               "give a larger area");
 }
 
 signal::FocusedImage back_projection_axes(const signal::EchoRows& echoes, const std::vector<SarTarget>& targets,
@@ -177,7 +178,7 @@ signal::FocusedRows back_projected(const FocusInput& input, signal::FocusedImage
       8.0 * (static_cast<double>(input.echoes.track.size()) * static_cast<double>(input.echoes.columns) +
              static_cast<double>(axes.azimuth.count) * static_cast<double>(axes.range.count));
   if (options.memory_bytes > 0 && bytes > static_cast<double>(options.memory_bytes))
-    throw core::Refused(
+    throw core::InvalidRequest(
         fmt::format("back projection holds echoes and image in memory, {}, but --memory allows {}",
                     core::bytes_text(bytes), core::bytes_text(static_cast<double>(options.memory_bytes))),
         "allow more, or use another --algorithm");

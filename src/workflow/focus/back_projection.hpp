@@ -6,8 +6,8 @@
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
 #include "signal/sar/focusing.hpp"
+#include "workflow/focus/azimuth_ambiguities.hpp"
 #include "workflow/focus/focus_input.hpp"
-#include "workflow/focus/sar_ghosts.hpp"
 
 namespace sarsim::workflow {
 
@@ -32,8 +32,8 @@ void expect_samples(const signal::FocusedImage& axes);
 /// bandwidth keeps the pulses that see a point at such frequencies from the line of flight; the azimuth window is over
 /// them, or, where all are kept, over the record. Amplitudes are means over the pulses that are there: near the ends of
 /// the flight, where a part of the band was not flown, they do not fade as those of the other methods do. Or to an
-/// image of level ground. Throws core::Refused where the echoes need more memory than allowed or the ground is out of
-/// reach.
+/// image of level ground. Throws core::InvalidRequest where the echoes need more memory than allowed or the ground is
+/// out of reach.
 /// @param axes  `back_projection_axes` of these echoes, or those of a ground grid
 [[nodiscard]] signal::FocusedRows back_projected(const FocusInput& input, signal::FocusedImage axes,
                                                  const BackProjectionChoice& choice,

@@ -27,7 +27,7 @@ std::string rate_text(const radar::Pulse& pulse, double rate_hz) {
 
 }  // namespace
 
-core::Problems remarks_on_edges(const simulate::Acquisition& acquisition) {
+core::Problems diagnose_edges(const simulate::Acquisition& acquisition) {
   if (acquisition.reception.pulse.band_limited) return {};
   const radar::Pulse& pulse = acquisition.link.pulse;
   const double rate_hz = 1.0 / acquisition.reception.raw_grid.interval_s;

@@ -8,6 +8,6 @@ namespace sarsim::workflow {
 /// A warning where images of hard-edged pulses may lose more than 0.2 dB or show targets more than a tenth of a range
 /// cell off, since the pulses are sampled too slowly for their edges (signal/compress/sampling_loss.hpp). Nothing for
 /// pulses that are confined to a band.
-[[nodiscard]] core::Problems remarks_on_edges(const simulate::Acquisition& acquisition);
+[[nodiscard]] core::Problems diagnose_edges(const simulate::Acquisition& acquisition);
 
 }  // namespace sarsim::workflow

@@ -58,12 +58,12 @@ TEST(EdgeRemark, HasTheLossThatImagesHave) {
       sum += std::pow(10.0, -found_db / 20.0);
     }
     EXPECT_NEAR(-20.0 * std::log10(sum / places), loss.mean_db, 0.1 + 0.2 * loss.mean_db);
-    EXPECT_EQ(remarks_on_edges(acquisition).size(), 1U);
+    EXPECT_EQ(diagnose_edges(acquisition).size(), 1U);
   }
 }
 
 TEST(EdgeRemark, SaysHowMuchIsLostAndWhatHelps) {
-  const core::Problems problems = remarks_on_edges(simulate::acquisition_of(scene_of(Pulse::mono, 50e-9, 41e6), 0));
+  const core::Problems problems = diagnose_edges(simulate::acquisition_of(scene_of(Pulse::mono, 50e-9, 41e6), 0));
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].severity, core::Severity::warning);
   EXPECT_THAT(problems[0].found,
@@ -72,11 +72,11 @@ TEST(EdgeRemark, SaysHowMuchIsLostAndWhatHelps) {
 }
 
 TEST(EdgeRemark, IsNotMadeOfSoundPulses) {
-  EXPECT_TRUE(remarks_on_edges(simulate::acquisition_of(sar_scene(700.0, {{}}), 0)).empty());
-  EXPECT_TRUE(remarks_on_edges(simulate::acquisition_of(scene_of(Pulse::mono, 500e-9, 50e6), 0)).empty());
+  EXPECT_TRUE(diagnose_edges(simulate::acquisition_of(sar_scene(700.0, {{}}), 0)).empty());
+  EXPECT_TRUE(diagnose_edges(simulate::acquisition_of(scene_of(Pulse::mono, 500e-9, 50e6), 0)).empty());
   scene::Scene limited = scene_of(Pulse::mono, 50e-9, 41e6);
   limited.options.pulse = scene::PulseDefinition::band_limited;
-  EXPECT_TRUE(remarks_on_edges(simulate::acquisition_of(limited, 0)).empty());
+  EXPECT_TRUE(diagnose_edges(simulate::acquisition_of(limited, 0)).empty());
 }
 
 }  // namespace edge_remark_test

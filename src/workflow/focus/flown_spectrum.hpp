@@ -4,7 +4,7 @@
 
 #include "signal/sar/focusing.hpp"
 #include "simulate/plan/acquisition.hpp"
-#include "workflow/focus/sar_ghosts.hpp"
+#include "workflow/focus/azimuth_ambiguities.hpp"
 
 namespace sarsim::workflow {
 

@@ -10,13 +10,14 @@
 #include <fmt/format.h>
 
 #include "core/os/free_memory.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/clock.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "scene/model/world_frame.hpp"
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/air_remarks.hpp"
+#include "workflow/focus/azimuth_ambiguities.hpp"
 #include "workflow/focus/back_projection.hpp"
 #include "workflow/focus/edge_remark.hpp"
 #include "workflow/focus/flown_spectrum.hpp"
@@ -26,12 +27,11 @@
 #include "workflow/focus/image_reach.hpp"
 #include "workflow/focus/method_choice.hpp"
 #include "workflow/focus/movers.hpp"
-#include "workflow/focus/sar_ghosts.hpp"
-#include "workflow/focus/sar_looks.hpp"
 #include "workflow/focus/sar_rows.hpp"
 #include "workflow/focus/scene_grid.hpp"
 #include "workflow/focus/seen_spectrum.hpp"
 #include "workflow/focus/swath_remark.hpp"
+#include "workflow/focus/target_aspects.hpp"
 #include "workflow/image/image_output.hpp"
 #include "workflow/input/output_names.hpp"
 #include "workflow/input/override_words.hpp"
@@ -113,7 +113,7 @@ void expect_focusable(const FocusInput& input, core::Problems problems, MotionOr
   });
   if (problems.empty()) return;
   std::ranges::copy(input.problems, std::back_inserter(problems));
-  throw core::Refused(core::ranked(std::move(problems)));
+  throw core::InvalidRequest(core::ranked(std::move(problems)));
 }
 
 // Progress of a stage whose clock begins now.
@@ -132,9 +132,9 @@ bool around_scene(const FocusRequest& request, const signal::EchoRows& echoes) {
   return in_time(request) && request.grid == FocusGrid::ground && moves(echoes) && !flies_along_a_line(echoes);
 }
 
-GhostsIn ghosts_in(const FocusRequest& request, const signal::EchoRows& echoes) {
-  if (around_scene(request, echoes)) return GhostsIn::circle;
-  return in_time(request) ? GhostsIn::time : GhostsIn::frequency;
+AmbiguitiesIn ambiguities_in(const FocusRequest& request, const signal::EchoRows& echoes) {
+  if (around_scene(request, echoes)) return AmbiguitiesIn::circle;
+  return in_time(request) ? AmbiguitiesIn::time : AmbiguitiesIn::frequency;
 }
 
 core::Vec3 ground_of(const FocusRequest& request, const simulate::Acquisition& acquisition) {
@@ -144,7 +144,7 @@ core::Vec3 ground_of(const FocusRequest& request, const simulate::Acquisition& a
 }
 
 // What the image has to hold.
-std::optional<signal::ImageSpectrum> spectrum_of_image(const FocusRequest& request, const FocusWork& work,
+std::optional<signal::ImageSpectrum> spectrum_of_image(const FocusRequest& request, const FocusPipeline& work,
                                                        const core::WorkControl& control) {
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
   const simulate::Acquisition& acquisition = *work.input.acquisition;
@@ -155,7 +155,7 @@ std::optional<signal::ImageSpectrum> spectrum_of_image(const FocusRequest& reque
 }
 
 // The image holds what the recording has seen, where that is affordable.
-void reach_targets_of(const FocusRequest& request, FocusWork& work, const core::WorkControl& control) {
+void reach_targets_of(const FocusRequest& request, FocusPipeline& work, const core::WorkControl& control) {
   if (!moves(work.input.echoes)) return;
   DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
   if (!in_time(request) && kept.width_hz <= 0.0)
@@ -165,8 +165,8 @@ void reach_targets_of(const FocusRequest& request, FocusWork& work, const core::
 }
 
 // @param[in,out] request  its algorithm becomes the one that will be used
-FocusWork work_on(FocusInput input, FocusRequest& request, const core::WorkControl& control) {
-  FocusWork work{.request = {}, .input = std::move(input), .options = options_of(request), .problems = {}};
+FocusPipeline work_on(FocusInput input, FocusRequest& request, const core::WorkControl& control) {
+  FocusPipeline work{.request = {}, .input = std::move(input), .options = options_of(request), .problems = {}};
   choose_beforehand(request, work.input);
   const bool around = around_scene(request, work.input.echoes);
   work.options.doppler_centroid_hz = around ? 0.0 : first_centroid_hz(request, work.input, control);
@@ -187,7 +187,7 @@ FocusWork work_on(FocusInput input, FocusRequest& request, const core::WorkContr
   return work;
 }
 
-void compensate_work(FocusWork& work, const FocusRequest& request, const core::WorkControl& control,
+void compensate_work(FocusPipeline& work, const FocusRequest& request, const core::WorkControl& control,
                      const core::Observer& observer) {
   work.strays_m = signal::fit_straight(work.input.echoes.track).worst_position_m;
   compensate(work.input, work.motion, request.ground_m, work.options, control,
@@ -198,24 +198,25 @@ void compensate_work(FocusWork& work, const FocusRequest& request, const core::W
 }
 
 // All that there is to say of the work before it is done, ranked.
-core::Problems problems_of_work(const FocusWork& work, const FocusRequest& request, const core::WorkControl& control) {
+core::Problems problems_of_work(const FocusPipeline& work, const FocusRequest& request,
+                                const core::WorkControl& control) {
   core::Problems problems = work.input.problems;
   std::ranges::copy(work.problems, std::back_inserter(problems));
-  if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
-  std::ranges::move(remarks_on_area(work.input.echoes, work.options), std::back_inserter(problems));
+  if (core::has_errors(problems)) throw core::InvalidRequest(core::ranked(std::move(problems)));
+  std::ranges::move(diagnose_area(work.input.echoes, work.options), std::back_inserter(problems));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
-  std::ranges::move(
-      remarks_on_sar(*work.input.acquisition, work.input.echoes, kept, ghosts_in(request, work.input.echoes), control),
-      std::back_inserter(problems));
-  std::ranges::move(remarks_on_air(*work.input.acquisition), std::back_inserter(problems));
-  std::ranges::move(remarks_on_edges(*work.input.acquisition), std::back_inserter(problems));
+  std::ranges::move(diagnose_sar(*work.input.acquisition, work.input.echoes, kept,
+                                 ambiguities_in(request, work.input.echoes), control),
+                    std::back_inserter(problems));
+  std::ranges::move(diagnose_air(*work.input.acquisition), std::back_inserter(problems));
+  std::ranges::move(diagnose_edges(*work.input.acquisition), std::back_inserter(problems));
   if (!in_time(request))
-    std::ranges::move(remarks_on_swath_loss(*work.input.acquisition, work.input.echoes, work.options, control),
+    std::ranges::move(diagnose_swath_loss(*work.input.acquisition, work.input.echoes, work.options, control),
                       std::back_inserter(problems));
   return core::ranked(std::move(problems));
 }
 
-signal::FocusedImage slant_axes(const FocusWork& work, const FocusRequest& request,
+signal::FocusedImage slant_axes(const FocusPipeline& work, const FocusRequest& request,
                                 const std::vector<SarTarget>& targets, const signal::FocusOptions& options) {
   return in_time(request) ? back_projection_axes(work.input.echoes, targets, options)
                           : signal::image_of(work.input.echoes, options);
@@ -223,7 +224,7 @@ signal::FocusedImage slant_axes(const FocusWork& work, const FocusRequest& reque
 
 // Axes and frame of the image of slant range that is to be made. Adds remarks on a grid that differs from that of the
 // recording.
-signal::FocusedImage image_axes(FocusWork& work, const FocusRequest& request, const std::vector<SarTarget>& targets,
+signal::FocusedImage image_axes(FocusPipeline& work, const FocusRequest& request, const std::vector<SarTarget>& targets,
                                 const core::WorkControl& control) {
   if (around_scene(request, work.input.echoes)) return scene_grid_axes(work.input, request.ground_m, control);
   const auto axes_for = [&](const signal::FocusOptions& options) {
@@ -234,27 +235,27 @@ signal::FocusedImage image_axes(FocusWork& work, const FocusRequest& request, co
   if (!work.options.spectrum) return axes;
   signal::FocusOptions coarse = work.options;
   coarse.spectrum.reset();
-  std::ranges::move(remarks_on_grid(axes_for(coarse), axes, *work.options.spectrum),
+  std::ranges::move(diagnose_grid(axes_for(coarse), axes, *work.options.spectrum),
                     std::back_inserter(work.input.problems));
-  std::ranges::move(remarks_on_carriers(work.input.echoes, *work.options.spectrum),
+  std::ranges::move(diagnose_carriers(work.input.echoes, *work.options.spectrum),
                     std::back_inserter(work.input.problems));
   return axes;
 }
 
-void remark_on_movers(FocusWork& work, signal::FocusedImage axes, const core::WorkControl& control) {
+void remark_on_movers(FocusPipeline& work, signal::FocusedImage axes, const core::WorkControl& control) {
   if (work.options.azimuth_area) signal::cut_axis(axes.azimuth, *work.options.azimuth_area);
-  std::ranges::move(remarks_on_movers(*work.input.acquisition, work.input.echoes, axes, control),
+  std::ranges::move(diagnose_movers(*work.input.acquisition, work.input.echoes, axes, control),
                     std::back_inserter(work.input.problems));
 }
 
 // @param axes  of slant range, or of the grid around a scene
-void remark_on_outside(FocusWork& work, const FocusRequest& request, const signal::FocusedImage& axes) {
+void remark_on_outside(FocusPipeline& work, const FocusRequest& request, const signal::FocusedImage& axes) {
   if (around_scene(request, work.input.echoes)) return;
-  std::ranges::move(remarks_on_outside(work.to_show, axes, work.options, in_time(request)),
+  std::ranges::move(diagnose_outside(work.to_show, axes, work.options, in_time(request)),
                     std::back_inserter(work.input.problems));
 }
 
-signal::FocusedRows focused_rows(const FocusWork& work, const FocusRequest& request, signal::FocusedImage axes,
+signal::FocusedRows focused_rows(const FocusPipeline& work, const FocusRequest& request, signal::FocusedImage axes,
                                  const core::WorkControl& control, const core::Observer& observer) {
   const core::ProgressReport progress = begun_stage(observer, name_of(request));
   if (in_time(request)) {
@@ -266,7 +267,7 @@ signal::FocusedRows focused_rows(const FocusWork& work, const FocusRequest& requ
   return signal::focus_rows(work.input.echoes, options, control, progress);
 }
 
-ImageOrigin origin_of(const FocusWork& work, const FocusRequest& request) {
+ImageOrigin origin_of(const FocusPipeline& work, const FocusRequest& request) {
   ImageOrigin origin{request.input.path,
                      request.input.script,
                      words_of_overrides(request.input.overrides),
@@ -304,10 +305,10 @@ std::optional<EarthPlace> wanted_place(const FocusRequest& request, FocusInput& 
 
 }  // namespace
 
-core::Problems remarks_of_focus(FocusInput input, const core::WorkControl& control) {
+core::Problems diagnose_focus(FocusInput input, const core::WorkControl& control) {
   FocusRequest request;
   request.memory_bytes = 0;  // The same on all machines.
-  const FocusWork work = work_on(std::move(input), request, control);
+  const FocusPipeline work = work_on(std::move(input), request, control);
   core::Problems problems = work.input.problems;
   std::ranges::copy_if(work.problems, std::back_inserter(problems), [&](const core::Problem& problem) {
     return work.motion == MotionOrder::none || problem.subject.field != signal::track_field;
@@ -315,22 +316,22 @@ core::Problems remarks_of_focus(FocusInput input, const core::WorkControl& contr
   const simulate::Acquisition& acquisition = *work.input.acquisition;
   const signal::EchoRows& echoes = work.input.echoes;
   if (work.options.spectrum)
-    std::ranges::move(remarks_on_carriers(echoes, *work.options.spectrum), std::back_inserter(problems));
-  std::ranges::move(remarks_on_movers(acquisition, echoes, std::nullopt, control), std::back_inserter(problems));
+    std::ranges::move(diagnose_carriers(echoes, *work.options.spectrum), std::back_inserter(problems));
+  std::ranges::move(diagnose_movers(acquisition, echoes, std::nullopt, control), std::back_inserter(problems));
   if (moves(echoes) && !around_scene(request, echoes))
-    std::ranges::move(remarks_on_outside(work.to_show, slant_axes(work, request, work.to_show, work.options),
-                                         work.options, in_time(request)),
+    std::ranges::move(diagnose_outside(work.to_show, slant_axes(work, request, work.to_show, work.options),
+                                       work.options, in_time(request)),
                       std::back_inserter(problems));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
-  std::ranges::move(remarks_on_ghosts(acquisition, echoes, kept, ghosts_in(request, work.input.echoes), control),
+  std::ranges::move(diagnose_ghosts(acquisition, echoes, kept, ambiguities_in(request, work.input.echoes), control),
                     std::back_inserter(problems));
-  std::ranges::move(remarks_on_air(acquisition), std::back_inserter(problems));
-  std::ranges::move(remarks_on_edges(acquisition), std::back_inserter(problems));
+  std::ranges::move(diagnose_air(acquisition), std::back_inserter(problems));
+  std::ranges::move(diagnose_edges(acquisition), std::back_inserter(problems));
   return core::ranked(std::move(problems));
 }
 
-KeptImage kept_image(const FocusReport& report) {
-  KeptImage kept = kept_image(report.image, report.origin);
+InMemoryImage in_memory_image(const FocusReport& report) {
+  InMemoryImage kept = in_memory_image(report.image, report.origin);
   kept.input = report.input;
   return kept;
 }
@@ -338,25 +339,25 @@ KeptImage kept_image(const FocusReport& report) {
 std::vector<TargetTheory> theory_of_focus(const FocusRequest& asked, const core::Observer& observer) {
   FocusRequest request = asked;
   const core::WorkControl control = observer.control(core::thread_count(request.threads));
-  const FocusWork work = work_on(open_focus_input(request.input, control, request.navigation), request, control);
+  const FocusPipeline work = work_on(open_focus_input(request.input, control, request.navigation), request, control);
   observer.remarks(work.input.problems);
   signal::EchoRows echoes = work.input.echoes;
   echoes.compensated = in_time(request) || work.motion != MotionOrder::none;
   return theory_of_targets(*work.input.acquisition, echoes, work.options, in_time(request), control);
 }
 
-FocusWork begin_focus(FocusInput input, const FocusRequest& asked, const core::WorkControl& control) {
-  expect_sense(asked);
+FocusPipeline begin_focus(FocusInput input, const FocusRequest& asked, const core::WorkControl& control) {
+  validate(asked);
   expect_free_outputs(outputs_of(asked), {input.sources, asked.force, "--out"});
   FocusRequest request = asked;
   auto place = wanted_place(request, input);
-  FocusWork work = work_on(std::move(input), request, control);
+  FocusPipeline work = work_on(std::move(input), request, control);
   work.request = std::move(request);
   work.place = std::move(place);
   return work;
 }
 
-std::vector<TargetTheory> targets_on_image(const FocusWork& begun, const signal::FocusedImage& image,
+std::vector<TargetTheory> targets_on_image(const FocusPipeline& begun, const signal::FocusedImage& image,
                                            const core::WorkControl& control) {
   std::vector<TargetTheory> theories = theory_on_image({*begun.input.acquisition, begun.input.echoes, begun.options,
                                                         in_time(begun.request), begun.motion != MotionOrder::none},
@@ -365,15 +366,15 @@ std::vector<TargetTheory> targets_on_image(const FocusWork& begun, const signal:
   return theories;
 }
 
-core::Problems remarks_on_image(FocusWork begun, FocusWork ended, const signal::FocusedImage& image,
-                                const core::WorkControl& control) {
+core::Problems diagnose_image(FocusPipeline begun, FocusPipeline ended, const signal::FocusedImage& image,
+                              const core::WorkControl& control) {
   remark_on_movers(begun, image, control);
   if (image.frame.plane == signal::ImagePlane::slant_range) remark_on_outside(begun, begun.request, image);
   ended.input.problems = std::move(begun.input.problems);
   return problems_of_work(ended, ended.request, control);
 }
 
-FocusReport end_focus(FocusWork& work, const core::Observer& observer, FocusRemarks remarks) {
+FocusReport end_focus(FocusPipeline& work, const core::Observer& observer, FocusRemarks remarks) {
   const double begin_s = core::now_s();
   const FocusRequest& request = work.request;
   const std::optional<EarthPlace>& place = work.place;
@@ -413,7 +414,7 @@ FocusReport end_focus(FocusWork& work, const core::Observer& observer, FocusRema
   if (request.autofocus) {
     std::tie(report.image, report.autofocus) =
         autofocused(report.image, work.input.echoes, targets, choice, work.options, control);
-    const core::Problems failed = remarks_on_autofocus(*report.autofocus);
+    const core::Problems failed = diagnose_autofocus(*report.autofocus);
     observer.remarks(failed);
     report.problems.insert(report.problems.end(), failed.begin(), failed.end());
   }
@@ -433,11 +434,11 @@ FocusReport focus(const FocusRequest& request, const core::Observer& observer) {
   if (!request.input.held) expect_no_image(request.input.path);
   if (is_phase_history(request.input.path)) return focus_phase_history(request, observer);
   if (!request.channel.empty() || request.sign)
-    throw core::Refused("--channel and --sign are for phase histories (CPHD)", "leave them out");
-  expect_sense(request);
+    throw core::InvalidRequest("--channel and --sign are for phase histories (CPHD)", "leave them out");
+  validate(request);
   const core::WorkControl control = observer.control(core::thread_count(request.threads));
   FocusInput input = open_focus_input(request.input, control, request.navigation);
-  FocusWork work = begin_focus(std::move(input), request, control);
+  FocusPipeline work = begin_focus(std::move(input), request, control);
   FocusReport report = end_focus(work, observer);
   report.seconds = core::now_s() - begin_s;
   return report;

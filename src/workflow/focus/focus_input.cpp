@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "radar/motion/motion_path.hpp"
 #include "radar/path/path.hpp"
 #include "scene/model/read_path.hpp"
@@ -39,7 +39,7 @@ void believe(const std::string& file, const scene::Scene& scene, FocusInput& foc
   add_radar(scene, focus.simulation, believed);
   core::Problems problems = read_motions(believed, {});
   for (core::Problem& problem : problems) problem.subject = {};
-  if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
+  if (core::has_errors(problems)) throw core::InvalidRequest(core::ranked(std::move(problems)));
   std::ranges::move(problems, std::back_inserter(focus.problems));
   const radar::MotionPath path = radar::StatePath{platform.read_path->states};
   std::vector<signal::TrackPoint> track =
@@ -48,7 +48,7 @@ void believe(const std::string& file, const scene::Scene& scene, FocusInput& foc
       focus.echoes.first_delay_s + static_cast<double>(focus.echoes.columns) / focus.echoes.waveform.sample_rate_hz,
       focus.echoes.waveform.light_speed_mps);
   core::Problems of_track = problems_of_navigation(file, focus.echoes.track, track, farthest_m);
-  if (core::has_errors(of_track)) throw core::Refused(core::ranked(std::move(of_track)));
+  if (core::has_errors(of_track)) throw core::InvalidRequest(core::ranked(std::move(of_track)));
   std::ranges::move(of_track, std::back_inserter(focus.problems));
   focus.echoes.track = std::move(track);
 }
@@ -58,7 +58,7 @@ FocusInput of_script(const RecordingArguments& arguments, const core::WorkContro
   auto [input, simulation] = open_script(arguments, records_pulses, control);
   FocusInput focus = focus_input_of(input.scene, simulation, input.resolved);
   std::ranges::move(input.problems, std::back_inserter(focus.problems));
-  if (core::has_errors(focus.problems)) throw core::Refused(core::ranked(std::move(focus.problems)));
+  if (core::has_errors(focus.problems)) throw core::InvalidRequest(core::ranked(std::move(focus.problems)));
   believe(navigation, input.scene, focus);
   focus.of_files = std::move(input.of_files);
   focus.sources = std::move(input.sources);

@@ -31,7 +31,7 @@ struct FocusInput {
 [[nodiscard]] FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation,
                                         const simulate::Acquisition& window);
 
-/// Opens what the arguments name; throws core::Refused with all problems where it cannot be focused.
+/// Opens what the arguments name; throws core::InvalidRequest with all problems where it cannot be focused.
 /// @param navigation  file of the motion that is believed, in place of the true one; empty: the true one
 [[nodiscard]] FocusInput open_focus_input(const RecordingArguments& arguments, const core::WorkControl& control,
                                           const std::string& navigation = "");

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
 #include "workflow/input/earth_place.hpp"
@@ -31,8 +31,8 @@ std::size_t memory_of(const std::string& text) {
   }
   const auto value = core::parse_number(number);
   if (value && *value * scale >= 1048576.0 && *value * scale < 0x1p60) return static_cast<std::size_t>(*value * scale);
-  throw core::Refused(fmt::format("--memory: '{}' is not a valid size", text),
-                      "give 1M or more, for instance 800M or 4G");
+  throw core::InvalidRequest(fmt::format("--memory: '{}' is not a valid size", text),
+                             "give 1M or more, for instance 800M or 4G");
 }
 
 void take_centroid(FocusRequest& request, const std::string& text) {
@@ -42,7 +42,8 @@ void take_centroid(FocusRequest& request, const std::string& text) {
   } else if (core::equal_ignoring_case(text, "measured")) {
     request.centroid = CentroidSource::measured;
   } else if (!core::equal_ignoring_case(text, "geometry")) {
-    throw core::Refused(fmt::format("--doppler-centroid: invalid '{}'", text), "geometry, measured or a number of Hz");
+    throw core::InvalidRequest(fmt::format("--doppler-centroid: invalid '{}'", text),
+                               "geometry, measured or a number of Hz");
   }
 }
 
@@ -82,8 +83,8 @@ signal::AxisInterval interval_of(const char* option, const std::string& text) {
   const auto first = core::parse_number(text.substr(0, colon));
   const auto last = colon == std::string::npos ? std::nullopt : core::parse_number(text.substr(colon + 1));
   if (first && last && *first < *last) return {*first, *last};
-  throw core::Refused(fmt::format("{}: '{}' is not an interval", option, text),
-                      "give FIRST:LAST in metres, as -80:120");
+  throw core::InvalidRequest(fmt::format("{}: '{}' is not an interval", option, text),
+                             "give FIRST:LAST in metres, as -80:120");
 }
 
 void add_area(OptionTable<FocusRequest>& table) {
@@ -183,8 +184,8 @@ FocusRequest focus_request(const std::string& input, const GivenWords& given) {
   request.input.path = input;
   request.output = std::filesystem::path(input).stem().string() + ".img";
   const TakenProblems problems = focus_option_table().take_words(given, request);
-  if (!problems.early.empty()) throw core::Refused(core::Problems{problems.early.front()});
-  if (!problems.late.empty()) throw core::Refused(core::Problems{problems.late.front()});
+  if (!problems.early.empty()) throw core::InvalidRequest(core::Problems{problems.early.front()});
+  if (!problems.late.empty()) throw core::InvalidRequest(core::Problems{problems.late.front()});
   return request;
 }
 

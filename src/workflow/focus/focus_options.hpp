@@ -12,7 +12,7 @@ namespace sarsim::workflow {
 [[nodiscard]] OptionTable<FocusRequest> focus_option_table();
 
 /// What an input and words for options ask for; the image is named after the input where they do not name it. Throws
-/// core::Refused for the first word that means nothing.
+/// core::InvalidRequest for the first word that means nothing.
 [[nodiscard]] FocusRequest focus_request(const std::string& input, const GivenWords& given);
 
 /// The words of --window without their parameters, for lists: each means its usual ones.

@@ -9,7 +9,7 @@ namespace {
 std::string refusal(const GivenWords& given) {
   try {
     static_cast<void>(focus_request("scenes/sar.scr", given));
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     return refused.problems.size() == 1 ? refused.problems.front().message : "several";
   }
   return {};

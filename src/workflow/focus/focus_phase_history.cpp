@@ -14,7 +14,7 @@
 #include "core/maths/constants.hpp"
 #include "core/os/free_memory.hpp"
 #include "core/os/input_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/clock.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
@@ -50,21 +50,22 @@ void expect_options_of_history(const FocusRequest& request) {
       {"--autofocus", request.autofocus}};
   for (const auto& [option, there] : given)
     if (there)
-      throw core::Refused(fmt::format("{} means nothing for '{}', a phase history, which is back-projected onto its "
-                                      "image area as it is",
-                                      option, request.input.path),
-                          "leave it out; --window is over range alone");
+      throw core::InvalidRequest(
+          fmt::format("{} means nothing for '{}', a phase history, which is back-projected onto its "
+                      "image area as it is",
+                      option, request.input.path),
+          "leave it out; --window is over range alone");
   if (!request.output.empty() && is_sicd(request.output))
-    throw core::Refused("SICD tells the scene of an image, which a phase history does not know",
-                        "name the output .img, .npy or .h5");
+    throw core::InvalidRequest("SICD tells the scene of an image, which a phase history does not know",
+                               "name the output .img, .npy or .h5");
 }
 
 std::shared_ptr<const raster::CphdFile> opened_history(const std::string& path, core::Problems& problems,
                                                        const core::StopFlag* stop) {
   auto input = core::InputFile::open(path);
-  if (auto* problem = std::get_if<core::Problem>(&input)) throw core::Refused({std::move(*problem)});
+  if (auto* problem = std::get_if<core::Problem>(&input)) throw core::InvalidRequest({std::move(*problem)});
   auto file = raster::CphdFile::open(std::move(std::get<core::InputFile>(input)), problems, stop);
-  if (!file) throw core::Refused(core::ranked(std::move(problems)));
+  if (!file) throw core::InvalidRequest(core::ranked(std::move(problems)));
   return file;
 }
 
@@ -95,8 +96,9 @@ std::size_t channel_named(const raster::CphdFile& file, const std::string& id) {
   std::string known;
   for (const raster::PhaseChannel& channel : file.description().channels)
     known += (known.empty() ? "" : ", ") + channel.id;
-  throw core::Refused({core::problem_of(core::Severity::error, "--channel: the file has no such channel", id, known,
-                                        "say one of them; without --channel the reference channel is taken")});
+  throw core::InvalidRequest(
+      {core::problem_of(core::Severity::error, "--channel: the file has no such channel", id, known,
+                        "say one of them; without --channel the reference channel is taken")});
 }
 
 // The lowest and the highest spatial frequency along an axis, cycles per metre, of the echoes of the area's middle and
@@ -187,7 +189,7 @@ void expect_room(const signal::FocusedImage& image, const FocusRequest& request)
   const double bytes = 8.0 * static_cast<double>(image.azimuth.count) * static_cast<double>(image.range.count) * 2.0;
   const std::size_t allowed = request.memory_bytes.value_or(core::free_memory_bytes().value_or(0) / 2);
   if (allowed == 0 || bytes <= static_cast<double>(allowed)) return;
-  throw core::Refused(
+  throw core::InvalidRequest(
       fmt::format("an image of {} x {} samples takes {}, but {} may be used", image.azimuth.count, image.range.count,
                   core::bytes_text(bytes), core::bytes_text(static_cast<double>(allowed))),
       "give a part of the area with --azimuth FIRST:LAST and --range FIRST:LAST, or more --memory");
@@ -214,7 +216,8 @@ signal::FocusedImage image_over(const raster::CphdDescription& d, const PhaseHis
   image.azimuth = axis_over(a.x1, a.x2, band(area.x));
   image.range = axis_over(a.y1, a.y2, band(area.y));
   if (image.azimuth.count == 0 || image.range.count == 0)
-    throw core::Refused("no sample of the image lies in the area of --azimuth and --range", "give a larger area");
+    throw core::InvalidRequest("no sample of the image lies in the area of --azimuth and --range",
+                               "give a larger area");
   return image;
 }
 
@@ -227,7 +230,7 @@ void expect_several(std::size_t vectors, const raster::PhaseChannel& channel, co
                        fmt::format("{} of {} vectors", vectors, channel.vectors), "two vectors or more",
                        "the image viewer and sarsim plot show the vector itself; --channel chooses another channel");
   problem.place.file = path;
-  throw core::Refused({std::move(problem)});
+  throw core::InvalidRequest({std::move(problem)});
 }
 
 signal::BackProjectionOptions weights_of(const FocusRequest& request) {
@@ -255,7 +258,7 @@ void sum_up(const PhaseHistoryRows& rows, const signal::PointGrid& grid, const s
     first += count;
     if (progress) progress({first, vectors, grid.rows * grid.columns});
   }
-  if (used == 0) throw core::Refused("no vector of the channel has a signal (SIGNAL is 0 in all of them)");
+  if (used == 0) throw core::InvalidRequest("no vector of the channel has a signal (SIGNAL is 0 in all of them)");
   const float share = 1.0F / static_cast<float>(used);
   for (std::complex<float>& value : image.values) value *= share;
 }
@@ -275,7 +278,7 @@ FocusReport focus_phase_history(const FocusRequest& asked, const core::Observer&
   FocusRequest request = asked;
   request.algorithm = FocusAlgorithm::back_projection;
   request.grid = FocusGrid::ground;
-  expect_sense(request);
+  validate(request);
   const core::WorkControl control = observer.control(core::thread_count(request.threads));
   FocusReport report;
   report.files = outputs_of(request);
@@ -291,7 +294,7 @@ FocusReport focus_phase_history(const FocusRequest& asked, const core::Observer&
   const PhaseHistoryRows rows(file, channel, request.sign, earth);
   constexpr std::size_t max_looks = 1024;
   const std::vector<PhaseVector> vectors = rows.some_vectors(max_looks);
-  if (vectors.empty()) throw core::Refused("no vector of the channel has a signal (SIGNAL is 0 in all of them)");
+  if (vectors.empty()) throw core::InvalidRequest("no vector of the channel has a signal (SIGNAL is 0 in all of them)");
   expect_several(vectors.size(), rows.channel(), request.input.path);
   std::vector<signal::TrackPoint> track;
   for (const PhaseVector& vector : vectors) track.push_back(rows.track_point(vector));

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/maths/constants.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/cphd/cphd_test_support.hpp"
 #include "raster/format/open_raster.hpp"
 #include "support/test_folder.hpp"
@@ -97,7 +97,7 @@ class FocusCphd : public testing::Test {
   std::string refusal() {
     try {
       static_cast<void>(focus(request_, {}));
-    } catch (const core::Refused& refused) {
+    } catch (const core::InvalidRequest& refused) {
       return core::to_string(refused.problems.front());
     }
     return "nothing was refused";

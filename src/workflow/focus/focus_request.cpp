@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "workflow/image/image_output.hpp"
 #include "workflow/input/output_names.hpp"
 #include "workflow/input/scene_input.hpp"
@@ -21,20 +21,22 @@ void expect_options_that_agree(const FocusRequest& request) {
   const bool back_projection = request.algorithm == FocusAlgorithm::back_projection;
   const bool on_ground = request.grid == FocusGrid::ground;
   if (!back_projection && on_ground)
-    throw core::Refused("--grid ground needs an algorithm that takes any points", "add --algorithm back-projection");
+    throw core::InvalidRequest("--grid ground needs an algorithm that takes any points",
+                               "add --algorithm back-projection");
   if (!back_projection && request.start_stop)
-    throw core::Refused("--start-stop is for back-projection", "add --algorithm back-projection");
+    throw core::InvalidRequest("--start-stop is for back-projection", "add --algorithm back-projection");
   if (back_projection && request.motion.value_or(MotionOrder::none) != MotionOrder::none)
-    throw core::Refused("back-projection takes the track as it is, and needs no motion compensation",
-                        "leave out --motion-compensation");
+    throw core::InvalidRequest("back-projection takes the track as it is, and needs no motion compensation",
+                               "leave out --motion-compensation");
   if (on_ground && request.autofocus)
-    throw core::Refused("--autofocus needs an image of slant range", "leave out --grid ground");
+    throw core::InvalidRequest("--autofocus needs an image of slant range", "leave out --grid ground");
   if (!request.autofocus && (request.autofocus_piece_m || !request.autofocus_phase.empty()))
-    throw core::Refused("--autofocus-piece and --autofocus-phase say how --autofocus works", "add --autofocus");
+    throw core::InvalidRequest("--autofocus-piece and --autofocus-phase say how --autofocus works", "add --autofocus");
   if (request.anchor && !request.output.empty() && !is_sicd(request.output))
-    throw core::Refused("--anchor says where a SICD file lies on the Earth", "name the output .nitf, or leave it out");
+    throw core::InvalidRequest("--anchor says where a SICD file lies on the Earth",
+                               "name the output .nitf, or leave it out");
   if (request.autofocus_piece_m && !(*request.autofocus_piece_m > 0.0))
-    throw core::Refused("--autofocus-piece must be above 0", "give metres along the track");
+    throw core::InvalidRequest("--autofocus-piece must be above 0", "give metres along the track");
 }
 
 // A folder, or else the nearest one above it.
@@ -46,7 +48,7 @@ fs::path first_that_exists(fs::path folder) {
 
 void expect_outputs_to_be_free(const FocusRequest& request) {
   if (request.magnitude && (request.output.empty() || !is_envi(request.output)))
-    throw core::Refused("--magnitude makes ENVI images", "name the output .img");
+    throw core::InvalidRequest("--magnitude makes ENVI images", "name the output .img");
   const std::vector<fs::path> paths = outputs_of(request);
   for (const fs::path& path : paths) expect_no_picture(path, "--out");
   std::vector<fs::path> named = named_sources(request.input);
@@ -57,8 +59,9 @@ void expect_outputs_to_be_free(const FocusRequest& request) {
     const fs::path folder = first_that_exists(path.parent_path());
     std::error_code ignored;
     if (!folder.empty() && !fs::is_directory(folder, ignored))
-      throw core::Refused(fmt::format("'{}' cannot be made: '{}' is not a folder", path.string(), folder.string()),
-                          "give the output another name");
+      throw core::InvalidRequest(
+          fmt::format("'{}' cannot be made: '{}' is not a folder", path.string(), folder.string()),
+          "give the output another name");
   }
 }
 
@@ -75,7 +78,7 @@ const char* word_of(FocusAlgorithm algorithm) {
   return "omega-k";
 }
 
-void expect_sense(const FocusRequest& request) {
+void validate(const FocusRequest& request) {
   expect_options_that_agree(request);
   expect_outputs_to_be_free(request);
 }

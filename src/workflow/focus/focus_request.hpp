@@ -69,7 +69,7 @@ struct FocusRequest {
 };
 
 /// Refuses what contradicts itself: options of other algorithms, names of outputs that are taken or cannot be.
-void expect_sense(const FocusRequest& request);
+void validate(const FocusRequest& request);
 
 /// The files that a request leads to: image, image of magnitudes, phase.
 [[nodiscard]] std::vector<std::filesystem::path> outputs_of(const FocusRequest& request);

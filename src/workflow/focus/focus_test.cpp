@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 
 #include "core/maths/constants.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/format/envi.hpp"
 #include "scene/language/scene_writer.hpp"
 #include "workflow/focus/air_remarks.hpp"
@@ -32,7 +32,7 @@ class FocusWorkflow : public FocusOfScript {
   [[nodiscard]] std::string refusal() const {
     try {
       static_cast<void>(focus(request_, {}));
-    } catch (const core::Refused& refused) {
+    } catch (const core::InvalidRequest& refused) {
       return refused.problems.front().message;
     }
     return {};
@@ -113,7 +113,7 @@ TEST_F(FocusWorkflow, AnImageWithoutSomeOfItsSamplesIsNotMeasured) {
   try {
     static_cast<void>(measure(of_image(), {}));
     FAIL();
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     EXPECT_NE(refused.problems.at(0).message.find("not finite numbers"), std::string::npos);
     EXPECT_EQ(refused.problems.at(0).found,
               fmt::format("1, the first in row {}, column {} (from 0)", row, columns / 2));
@@ -123,7 +123,7 @@ TEST_F(FocusWorkflow, AnImageWithoutSomeOfItsSamplesIsNotMeasured) {
 TEST_F(FocusWorkflow, ImagesHaveTheEndingsOfTheirFormats) {
   for (const char* const name : {"a.mat", "a.dat", "a.cphd", "a.ras", "a.foo"}) {
     request_.output = folder_ / name;
-    EXPECT_THROW(static_cast<void>(focus(request_, {})), core::Refused) << name;
+    EXPECT_THROW(static_cast<void>(focus(request_, {})), core::InvalidRequest) << name;
     EXPECT_FALSE(fs::exists(request_.output));
   }
   request_.output = folder_ / "plain";  // ENVI
@@ -214,7 +214,7 @@ TEST_F(FocusWorkflow, MeasuringSumsUpAndWritesTables) {
   EXPECT_THAT(line, testing::StartsWith("1,1,"));
   MeasureRequest wrong = of_image();
   wrong.false_alarm = 0.0;
-  EXPECT_THROW(static_cast<void>(measure(wrong, {})), core::Refused);
+  EXPECT_THROW(static_cast<void>(measure(wrong, {})), core::InvalidRequest);
 }
 
 TEST_F(FocusWorkflow, MeasuringRefusesTargetsThatAreNotThereAndPicturesThatAre) {
@@ -222,12 +222,12 @@ TEST_F(FocusWorkflow, MeasuringRefusesTargetsThatAreNotThereAndPicturesThatAre) 
   static_cast<void>(focus(request_, {}));
   MeasureRequest request = of_image();
   request.target = 2;
-  EXPECT_THROW(static_cast<void>(measure(request, {})), core::Refused);
+  EXPECT_THROW(static_cast<void>(measure(request, {})), core::InvalidRequest);
   request.target = 1;
   request.pictures = folder_.path();
   EXPECT_EQ(measure(request, {}).targets.front().picture, folder_ / "target-1.png");
   std::ofstream(folder_ / "target-1.png") << "a picture";
-  EXPECT_THROW(static_cast<void>(measure(request, {})), core::Refused);
+  EXPECT_THROW(static_cast<void>(measure(request, {})), core::InvalidRequest);
   request.force = true;
   EXPECT_NO_THROW(static_cast<void>(measure(request, {})));
 }
@@ -247,9 +247,9 @@ TEST_F(FocusWorkflow, TheObserverSeesTheStageAndWhatTheReportRemarks) {
 // What the remark says is where the target then lies.
 TEST_F(FocusWorkflow, SaysHowFarTheAtmosphereShiftsTargets) {
   scene::Scene scene = sar_scene(620.0, {{0.0, 0.0, 0.0}}, 0.25);
-  EXPECT_TRUE(remarks_on_air(*shared_acquisition(scene)).empty());
+  EXPECT_TRUE(diagnose_air(*shared_acquisition(scene)).empty());
   scene.atmosphere.refraction = scene::Atmosphere::Refraction::exponential;
-  const core::Problems remarks = remarks_on_air(*shared_acquisition(scene));
+  const core::Problems remarks = diagnose_air(*shared_acquisition(scene));
   ASSERT_EQ(remarks.size(), 1U);
   EXPECT_EQ(remarks[0].severity, core::Severity::note);
   // 1e-6 N0 times the mean of exp(-h/H) over the heights up to 2000 m, on 10.198 km: 2.81 m.

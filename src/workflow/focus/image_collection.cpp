@@ -15,9 +15,9 @@
 #include "radar/path/path.hpp"
 #include "signal/measure/response.hpp"
 #include "signal/sar/image_spectrum.hpp"
-#include "workflow/focus/sar_ghosts.hpp"
-#include "workflow/focus/sar_looks.hpp"
+#include "workflow/focus/azimuth_ambiguities.hpp"
 #include "workflow/focus/sar_rows.hpp"
+#include "workflow/focus/target_aspects.hpp"
 
 namespace sarsim::workflow {
 
@@ -53,11 +53,11 @@ struct PlaceView {
   std::vector<signal::SeenDirection> directions;
 };
 
-PlaceView view_of(std::span<const SarLook> seen, const DopplerBand& band, double sine_per_hz, bool all) {
+PlaceView view_of(std::span<const TargetAspect> seen, const DopplerBand& band, double sine_per_hz, bool all) {
   PlaceView view;
   double sum = 0.0;
   double moment = 0.0;
-  for (const SarLook& look : seen) {
+  for (const TargetAspect& look : seen) {
     const double weight = all ? 1.0 : look.amplitude * look.share;
     const double sine = sine_per_hz * look.doppler_hz;
     if (!(weight > 0.0) || !(std::abs(sine) < 1.0)) continue;
@@ -158,7 +158,7 @@ ImageCollection collection_of(const FocusInput& input, const ImageMaking& making
   const simulate::Acquisition acquisition = plan_with_points(*input.acquisition, points);
   signal::EchoRows echoes = input.echoes;
   echoes.compensated = image.frame.plane == signal::ImagePlane::slant_range;
-  const SarLooks looks(acquisition, echoes);
+  const TargetAspects looks(acquisition, echoes);
   DopplerBand band{making.options.doppler_centroid_hz, std::numeric_limits<double>::infinity()};
   if (!making.in_time) band.width_hz = 1.0 / looks.track().interval_s;
   if (making.options.doppler_bandwidth_hz > 0.0)
@@ -167,7 +167,7 @@ ImageCollection collection_of(const FocusInput& input, const ImageMaking& making
       radar::range_of_cycle(waveform.carrier_hz, waveform.light_speed_mps) / looks.track().speed_mps;
   const double middle_s = echoes.track[looks.track().middle_pulse].time_s;
   collection.seen.resize(places.size());
-  looks.each(control, [&](std::size_t i, std::span<const SarLook> seen) {
+  looks.each(control, [&](std::size_t i, std::span<const TargetAspect> seen) {
     const PlaceView view = view_of(seen, band, sine_per_hz, false);
     collection.seen[i] = {places[i], middle_s + view.time_s};
     if (i == places.size() / 2) set_bandwidths(collection, view);

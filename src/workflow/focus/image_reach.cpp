@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "workflow/focus/sar_looks.hpp"
+#include "workflow/focus/target_aspects.hpp"
 
 namespace sarsim::workflow {
 
@@ -76,7 +76,7 @@ std::vector<SarTarget> targets_to_show(const simulate::Acquisition& acquisition,
     return !(target.recorded && target.amplitude >= weakest * strongest && has);
   });
   if (targets.empty()) return targets;
-  const SarLooks looks(acquisition, echoes, {}, max_looks);
+  const TargetAspects looks(acquisition, echoes, {}, max_looks);
   std::erase_if(targets, [&](const SarTarget& target) { return !looks.resting_place(target.target); });
   return targets;
 }
@@ -108,8 +108,8 @@ void reach_targets(const std::vector<SarTarget>& targets, const signal::EchoRows
   }
 }
 
-core::Problems remarks_on_outside(const std::vector<SarTarget>& targets, const signal::FocusedImage& image,
-                                  const signal::FocusOptions& options, bool in_time) {
+core::Problems diagnose_outside(const std::vector<SarTarget>& targets, const signal::FocusedImage& image,
+                                const signal::FocusOptions& options, bool in_time) {
   const auto off_azimuth = [&](const SarTarget& target) {
     return options.azimuth_area ? 0.0 : beyond(image.azimuth, target.place.azimuth_m);
   };

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "signal/sar/focusing.hpp"
-#include "workflow/focus/sar_ghosts.hpp"
+#include "workflow/focus/azimuth_ambiguities.hpp"
 
 namespace sarsim::workflow {
 
@@ -29,8 +29,7 @@ void reach_targets(const std::vector<SarTarget>& targets, const signal::EchoRows
 /// A warning where targets lie outside of an image, with their places and what the image covers. Nothing is said of an
 /// axis whose area is given.
 /// @param image  of slant range; its axes
-[[nodiscard]] core::Problems remarks_on_outside(const std::vector<SarTarget>& targets,
-                                                const signal::FocusedImage& image, const signal::FocusOptions& options,
-                                                bool in_time);
+[[nodiscard]] core::Problems diagnose_outside(const std::vector<SarTarget>& targets, const signal::FocusedImage& image,
+                                              const signal::FocusOptions& options, bool in_time);
 
 }  // namespace sarsim::workflow

@@ -39,7 +39,7 @@ TEST(ImageReach, ShowsWhatOtherDirectionsSee) {
     EXPECT_GT(after.range.at(static_cast<double>(after.range.count)), 10290.0);
     EXPECT_LT(after.azimuth.first_m, 0.0);
     EXPECT_GT(after.azimuth.at(static_cast<double>(after.azimuth.count)), 1500.0);
-    EXPECT_TRUE(remarks_on_outside(targets, after, options, false).empty());
+    EXPECT_TRUE(diagnose_outside(targets, after, options, false).empty());
     for (const TargetTheory& theory : theory_of_targets(*acquisition, rows, options)) {
       const signal::PointResponse found = focused_point(rows, theory.place, options);
       EXPECT_NEAR(20.0 * std::log10(found.amplitude / theory.amplitude), 0.0, exact ? 0.1 : 0.3) << theory.target;
@@ -64,20 +64,20 @@ TEST(ImageReach, SaysWhichTargetsAnImageDoesNotShow) {
   options.doppler_centroid_hz = geometric_doppler_centroid_hz(*acquisition);
   const auto targets = targets_to_show(*acquisition, rows, {options.doppler_centroid_hz, 1500.0});
   const signal::FocusedImage image = signal::image_of(rows, options);
-  const core::Problems problems = remarks_on_outside(targets, image, options, false);
+  const core::Problems problems = diagnose_outside(targets, image, options, false);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].severity, core::Severity::warning);
   EXPECT_THAT(problems[0].message, HasSubstr("2 targets (1, 2) lie outside of the image: target "));
   EXPECT_THAT(problems[0].message, HasSubstr("m along the track, the image covers "));
   EXPECT_THAT(problems[0].hint, HasSubstr("--azimuth "));
   EXPECT_THAT(problems[0].hint, HasSubstr("--range "));
-  const core::Problems single = remarks_on_outside({targets[0]}, image, options, false);
+  const core::Problems single = diagnose_outside({targets[0]}, image, options, false);
   EXPECT_THAT(single.at(0).message, HasSubstr("target 1 lies outside of the image: at "));
   EXPECT_THAT(single.at(0).message, HasSubstr("at 10290.0 m of closest distance, the image covers "));
   EXPECT_LT(excess_of(worst_method_loss(*acquisition, rows, options)), 1.0);
   options.azimuth_area = signal::AxisInterval{0.0, 10.0};
   options.range_area = signal::AxisInterval{10200.0, 10210.0};
-  EXPECT_TRUE(remarks_on_outside(targets, image, options, false).empty());
+  EXPECT_TRUE(diagnose_outside(targets, image, options, false).empty());
   reach_targets(targets, rows, options);
   EXPECT_FALSE(options.azimuth_reach);
 }

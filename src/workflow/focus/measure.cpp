@@ -13,17 +13,17 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/decibels.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/format/envi.hpp"
 #include "raster/format/open_raster.hpp"
 #include "scene/model/world_frame.hpp"
 #include "signal/measure/noise_floor.hpp"
 #include "signal/sar/sar_track.hpp"
+#include "workflow/focus/azimuth_ambiguities.hpp"
 #include "workflow/focus/edge_remark.hpp"
 #include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/movers.hpp"
-#include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/image/image_output.hpp"
 #include "workflow/image/image_script.hpp"
 #include "workflow/image/sicd_image.hpp"
@@ -53,9 +53,9 @@ signal::ImageReader reader_of(const core::SampleRows<float>& rows) {
 }
 
 MeasuredImage kept_image_to_measure(const MeasureRequest& request) {
-  const KeptImage& kept = *request.kept;
+  const InMemoryImage& kept = *request.kept;
   if (!kept.origin || !kept.input)
-    throw core::Refused("the image was not made by focusing", "measure the image of a focused recording");
+    throw core::InvalidRequest("the image was not made by focusing", "measure the image of a focused recording");
   MeasuredImage opened{kept.content.header, reader_of(kept.rows), {}, {}};
   read_header(opened.header, request.image.string(), opened.image, opened.origin);
   return opened;
@@ -64,11 +64,11 @@ MeasuredImage kept_image_to_measure(const MeasureRequest& request) {
 // The columns of the file are the rows of the image.
 MeasuredImage opened_sicd(const std::string& path) {
   raster::OpenedRaster file = raster::open_raster(raster::Integrity::whole, path);
-  if (!file.raster) throw core::Refused(core::ranked(std::move(file.problems)));
+  if (!file.raster) throw core::InvalidRequest(core::ranked(std::move(file.problems)));
   auto source = sicd_source(*file.raster);
   if (!source)
-    throw core::Refused(fmt::format("'{}' says nothing of a script: it is of another program", path),
-                        "measure images of sarsim focus; the image viewer measures points of any image");
+    throw core::InvalidRequest(fmt::format("'{}' says nothing of a script: it is of another program", path),
+                               "measure images of sarsim focus; the image viewer measures points of any image");
   MeasuredImage opened{std::move(source->header), {}, {}, {}};
   opened.reader = [raster = file.raster, backwards = source->backwards](std::size_t row, std::size_t first,
                                                                         std::span<std::complex<float>> out) {
@@ -81,12 +81,12 @@ MeasuredImage opened_sicd(const std::string& path) {
 
 MeasuredImage opened_image(const std::string& path) {
   if (!fs::exists(path))
-    throw core::Refused(fmt::format("there is no file '{}'", path), "name an image of sarsim focus");
+    throw core::InvalidRequest(fmt::format("there is no file '{}'", path), "name an image of sarsim focus");
   if (is_sicd(path)) return opened_sicd(path);
   auto [file, problems] = raster::EnviImage::open(path);
-  if (!file) throw core::Refused(std::move(problems));
+  if (!file) throw core::InvalidRequest(std::move(problems));
   if (file->header().pixel != raster::EnviHeader::Pixel::complex_float)
-    throw core::Refused(fmt::format("'{}' holds magnitudes", path), "measure the complex image beside it");
+    throw core::InvalidRequest(fmt::format("'{}' holds magnitudes", path), "measure the complex image beside it");
   MeasuredImage opened{file->header(),
                        [file = *file](std::size_t row, std::size_t first, std::span<std::complex<float>> out) {
                          file.read(row, first, out);
@@ -111,8 +111,8 @@ RecordingArguments input_of(const MeasureRequest& request, const WayBack& way, c
 
 void expect_folder(const fs::path& pictures) {
   if (!pictures.empty() && fs::exists(pictures) && !fs::is_directory(pictures))
-    throw core::Refused(fmt::format("--cuts: '{}' is not a folder", pictures.string()),
-                        "name a folder; it is made when missing");
+    throw core::InvalidRequest(fmt::format("--cuts: '{}' is not a folder", pictures.string()),
+                               "name a folder; it is made when missing");
 }
 
 // Half the distance to the nearest other target, at most three cells: the peak found shall be that of the target.
@@ -151,7 +151,7 @@ std::optional<radar::EarthFrame> earth_under(const scene::World& world, const Im
 }
 
 // What the header repeats of the recording: phases, places and theory follow the one or the other.
-core::Problems remarks_on_header(const MeasuredImage& opened, const FocusInput& input, const fs::path& file) {
+core::Problems diagnose_header(const MeasuredImage& opened, const FocusInput& input, const fs::path& file) {
   constexpr double share = 1e-6;
   constexpr double min_cosine = 0.9;  // Navigation and curved tracks turn the line by less.
   core::Problems remarks;
@@ -195,9 +195,10 @@ std::optional<core::Problem> note_of_clouds(const simulate::ResolvedScene& scene
   const std::size_t points = scene.scatterers.size() - listed;
   if (points == 0) return std::nullopt;
   if (listed == 0)
-    throw core::Refused(fmt::format("the {} points of the clouds are too many to be measured one by one", points),
-                        fmt::format("the limit is {} cloud points; add a target where an image is to be measured",
-                                    max_examined_targets));
+    throw core::InvalidRequest(
+        fmt::format("the {} points of the clouds are too many to be measured one by one", points),
+        fmt::format("the limit is {} cloud points; add a target where an image is to be measured",
+                    max_examined_targets));
   return core::problem_of(core::Severity::note,
                           fmt::format("the {} points of the clouds are not measured one by one", points), {},
                           fmt::format("at most {} of them", max_examined_targets), {});
@@ -296,7 +297,7 @@ class MissingSamples {
   void expect_none(const fs::path& image) const {
     if (places_.empty()) return;
     const auto [row, column] = *places_.begin();
-    throw core::Refused({core::problem_of(
+    throw core::InvalidRequest({core::problem_of(
         core::Severity::error,
         fmt::format("'{}' has samples near its targets that are not finite numbers", image.string()),
         fmt::format("{}, the first in row {}, column {} (from 0)", places_.size(), row, column), "finite samples",
@@ -338,8 +339,8 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
   missing.expect_none(request.image);
   std::erase_if(targets, [&](const MeasuredTarget& target) { return !is_asked_for(request, target.theory); });
   if (targets.empty())
-    throw core::Refused(fmt::format("there is no target {}", request.target.value_or(0)),
-                        fmt::format("the scene has {}", theories.size()));
+    throw core::InvalidRequest(fmt::format("there is no target {}", request.target.value_or(0)),
+                               fmt::format("the scene has {}", theories.size()));
   return targets;
 }
 
@@ -398,9 +399,10 @@ TargetState state_of(const MeasuredTarget& target, const signal::PointResponse& 
 }
 
 MeasureReport measure(const MeasureRequest& request, const core::Observer& observer) {
-  if (request.search_m && !(*request.search_m > 0.0)) throw core::Refused("--search must be above 0");
+  if (request.search_m && !(*request.search_m > 0.0)) throw core::InvalidRequest("--search must be above 0");
   if (!(request.false_alarm >= 1e-15 && request.false_alarm <= 0.1))
-    throw core::Refused(fmt::format("--pfa is out of range; found {:g}, expected 1e-15 to 0.1", request.false_alarm));
+    throw core::InvalidRequest(
+        fmt::format("--pfa is out of range; found {:g}, expected 1e-15 to 0.1", request.false_alarm));
   const core::WorkControl control = observer.control(core::thread_count(request.threads));
   MeasuredImage opened = request.kept ? kept_image_to_measure(request) : opened_image(request.image.string());
   expect_folder(request.pictures);
@@ -412,7 +414,7 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   std::ranges::copy(input.of_files, std::back_inserter(way.problems));
   opened.origin.earth = earth_under(input.world, opened.origin);
   turn_to_world(input.world, opened);
-  core::Problems of_header = remarks_on_header(opened, input, request.image);
+  core::Problems of_header = diagnose_header(opened, input, request.image);
   observer.remarks(of_header);
   std::ranges::move(of_header, std::back_inserter(way.problems));
   const std::vector<TargetTheory> theories = theories_of(opened, input, control);
@@ -421,8 +423,8 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
     way.problems.push_back(*std::move(note));
   }
   expect_free_pictures(request, theories, named_sources(input_of(request, way, opened.origin)));
-  core::Problems of_echoes = remarks_on_movers(*input.acquisition, input.echoes, {}, control);
-  std::ranges::move(remarks_on_edges(*input.acquisition), std::back_inserter(of_echoes));
+  core::Problems of_echoes = diagnose_movers(*input.acquisition, input.echoes, {}, control);
+  std::ranges::move(diagnose_edges(*input.acquisition), std::back_inserter(of_echoes));
   observer.remarks(of_echoes);
   std::ranges::move(of_echoes, std::back_inserter(way.problems));
   std::vector<MeasuredTarget> targets = measured_targets(opened, theories, request, control);

@@ -11,7 +11,7 @@
 #include "signal/measure/image_quality.hpp"
 #include "workflow/focus/sar_theory.hpp"
 #include "workflow/image/image_fields.hpp"
-#include "workflow/image/kept_image.hpp"
+#include "workflow/image/in_memory_image.hpp"
 #include "workflow/input/recording_input.hpp"
 
 namespace sarsim::workflow {
@@ -20,7 +20,7 @@ namespace sarsim::workflow {
 struct MeasureRequest {
   std::filesystem::path image;  ///< Complex image of `focus`, ENVI, NPY or SICD.
   /// In place of that file, which is then only a name: an image that was kept, with its origin and input. Null: none.
-  std::shared_ptr<const KeptImage> kept{};
+  std::shared_ptr<const InMemoryImage> kept{};
   /// The script that it was made from and its simulation, where they are others than the image's header says; no path.
   RecordingArguments input;
   std::optional<double> search_m;     ///< How far from its place a peak may be; nothing: three cells, or half way to
@@ -124,8 +124,8 @@ struct MeasureReport {
 
 /// Measures the point targets of a focused image against theory (docs/theory/focusing.md). A peak counts if it exceeds
 /// the threshold over the image's noise that noise alone exceeds in the searched area with probability `false_alarm`.
-/// Throws core::Refused where the image is none of `focus`, its source cannot be read, the target is not there, or a
-/// picture exists; Interrupted.
+/// Throws core::InvalidRequest where the image is none of `focus`, its source cannot be read, the target is not there,
+/// or a picture exists; Interrupted.
 [[nodiscard]] MeasureReport measure(const MeasureRequest& request, const core::Observer& observer);
 
 }  // namespace sarsim::workflow

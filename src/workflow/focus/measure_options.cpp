@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "workflow/input/recording_options.hpp"
 
 namespace sarsim::workflow {
@@ -25,7 +25,7 @@ MeasureRequest measure_request(const std::string& image, const GivenWords& given
   MeasureRequest request;
   request.image = image;
   const TakenProblems problems = measure_option_table().take_words(given, request);
-  if (!problems.empty()) throw core::Refused(core::Problems{problems.early.front()});
+  if (!problems.empty()) throw core::InvalidRequest(core::Problems{problems.early.front()});
   return request;
 }
 

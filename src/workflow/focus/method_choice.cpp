@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "radar/path/path.hpp"
 #include "signal/sar/reference_track.hpp"
 #include "signal/sar/sar_track.hpp"
@@ -24,7 +24,7 @@ namespace {
 constexpr double max_projections = 2e11;
 
 // Why back-projection is not affordable where the user has not asked for it; empty where it is.
-std::string too_much(const FocusWork& work) {
+std::string too_much(const FocusPipeline& work) {
   const signal::FocusedImage image = signal::image_of(work.input.echoes, work.options);
   const double samples = static_cast<double>(image.azimuth.count) * static_cast<double>(image.range.count);
   const auto pulses = static_cast<double>(work.input.echoes.track.size());
@@ -43,7 +43,7 @@ constexpr double max_excess = 0.5;
 
 class Chooser {
  public:
-  Chooser(FocusRequest& request, FocusWork& work, const core::WorkControl& control)
+  Chooser(FocusRequest& request, FocusPipeline& work, const core::WorkControl& control)
       : request_(request),
         work_(work),
         control_(control),
@@ -54,7 +54,7 @@ class Chooser {
 
   void in_time() {
     const auto left = residual(TakenFlight::Kind::flown);
-    add(remarks_on_residual(left, TakenFlight::Kind::flown));
+    add(diagnose_residual(left, TakenFlight::Kind::flown));
   }
 
   void in_frequency(bool free) {
@@ -71,7 +71,7 @@ class Chooser {
     if (open && (kind == TakenFlight::Kind::compensated || excess_of(lost) > max_excess))
       compare({kind, left, lost});
     else
-      add(remarks_on_residual(left, kind));
+      add(diagnose_residual(left, kind));
   }
 
  private:
@@ -112,7 +112,7 @@ class Chooser {
       work_.motion = MotionOrder::none;
       note(fmt::format("back-projection instead of omega-k: {}; back-projection on its grid leaves {}", by_line.would(),
                        on_grid));
-      add(remarks_on_residual(flown, TakenFlight::Kind::flown));
+      add(diagnose_residual(flown, TakenFlight::Kind::flown));
       return;
     }
     const std::string but = better ? ", but " + unaffordable : std::string();
@@ -122,7 +122,7 @@ class Chooser {
                       text_of(by_line.left), on_grid, but));
     else if (better)
       note(fmt::format("omega-k; back-projection on its grid would leave {}{}", on_grid, but));
-    add(remarks_on_residual(by_line.left, by_line.kind));
+    add(diagnose_residual(by_line.left, by_line.kind));
   }
 
   // Nothing of a flight that is straight and even to a thousandth of a cycle.
@@ -157,7 +157,7 @@ class Chooser {
   }
 
   FocusRequest& request_;
-  FocusWork& work_;
+  FocusPipeline& work_;
   const core::WorkControl& control_;
   signal::ReferenceTrack line_;
   core::Vec3 scene_m_;
@@ -198,7 +198,7 @@ void choose_beforehand(FocusRequest& request, FocusInput& input) {
   request.grid = around ? FocusGrid::ground : FocusGrid::slant;
 }
 
-void choose_method(FocusRequest& request, FocusWork& work, const core::WorkControl& control) {
+void choose_method(FocusRequest& request, FocusPipeline& work, const core::WorkControl& control) {
   const bool free = request.algorithm == FocusAlgorithm::automatic;
   if (free) request.algorithm = FocusAlgorithm::omega_k;
   const signal::EchoRows& echoes = work.input.echoes;

@@ -23,7 +23,7 @@ void choose_beforehand(FocusRequest& request, FocusInput& input);
 /// @param[in,out] work     its motion, at first that which the shape of the track asks for, becomes what is
 /// compensated;
 ///                         its Doppler centroid is known, and the spectrum of an image by omega-k
-/// @throw  core::Refused where the ground is out of the reach of motion compensation; Interrupted
-void choose_method(FocusRequest& request, FocusWork& work, const core::WorkControl& control);
+/// @throw  core::InvalidRequest where the ground is out of the reach of motion compensation; Interrupted
+void choose_method(FocusRequest& request, FocusPipeline& work, const core::WorkControl& control);
 
 }  // namespace sarsim::workflow

@@ -163,7 +163,7 @@ TEST_F(MethodChoice, SaysWhatBothMethodsLeave) {
   EXPECT_THAT(note.message, HasSubstr("motion compensation would leave"));
   EXPECT_THAT(note.message, HasSubstr("back-projection on its grid leaves 0.000 rad and 0.00 dB"));
   // What check says is the same.
-  const core::Problems early = remarks_of_focus(open_focus_input(request_.input, {}));
+  const core::Problems early = diagnose_focus(open_focus_input(request_.input, {}));
   EXPECT_EQ(one_that_says(early, "back-projection instead of omega-k").message, note.message);
 }
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "radar/path/path.hpp"
 #include "signal/sar/ground_sight.hpp"
 #include "signal/sar/motion_compensation.hpp"
@@ -29,8 +29,8 @@ void expect_ground_in_reach(const signal::EchoRows& echoes, const signal::Motion
     return std::abs(ground_m.z - how.scene_m.z) < 1e-6 * last_m;
   };
   if (reaches(echoes.track.front()) || reaches(echoes.track.back())) return;
-  throw core::Refused("motion compensation: the ground is farther away than all ranges of the recording",
-                      "give the ground another --height, or leave it out with --motion-compensation none");
+  throw core::InvalidRequest("motion compensation: the ground is farther away than all ranges of the recording",
+                             "give the ground another --height, or leave it out with --motion-compensation none");
 }
 
 }  // namespace
@@ -48,8 +48,9 @@ bool wants_compensation(const core::Problems& problems) {
 void expect_one_way(const signal::EchoRows& echoes) {
   const signal::ReferenceTrack line = signal::fitted_track(echoes.track);
   if (core::norm(line.velocity_mps) > 0.0 && std::isinf(signal::unevenness(echoes.track, line)))
-    throw core::Refused("the antenna turns back along its line: no motion compensation can put its pulses in order",
-                        "use --algorithm back-projection");
+    throw core::InvalidRequest(
+        "the antenna turns back along its line: no motion compensation can put its pulses in order",
+        "use --algorithm back-projection");
 }
 
 signal::MotionCompensation compensation_of(const FocusInput& input, MotionOrder order, std::optional<double> ground_m,
@@ -77,7 +78,7 @@ void compensate(FocusInput& input, MotionOrder order, std::optional<double> grou
   const double uneven = speed_mps > 0.0 ? signal::unevenness(input.echoes.track, how.reference) : 0.0;
   expect_one_way(input.echoes);
   if (uneven > max_uneven)
-    throw core::Refused(
+    throw core::InvalidRequest(
         fmt::format(
             "the distance between pulses changes by up to {:.3g} % from one to the next: no motion compensation "
             "can interpolate between them",

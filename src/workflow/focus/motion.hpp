@@ -26,18 +26,19 @@ enum class MotionOrder {
 /// interpolates.
 inline constexpr double max_uneven = 0.02;
 
-/// core::Refused where the antenna does not fly the line that fits its track in one direction.
+/// core::InvalidRequest where the antenna does not fly the line that fits its track in one direction.
 void expect_one_way(const signal::EchoRows& echoes);
 
 /// What echoes of an input are compensated to: the line that fits their track best, for the middle of the scene under
-/// the squint of the Doppler centroid. Their antenna moves. core::Refused where the ground is out of reach.
+/// the squint of the Doppler centroid. Their antenna moves. core::InvalidRequest where the ground is out of reach.
 /// @param ground_m  height of the ground, world; nothing: that of the middle of the scene
 [[nodiscard]] signal::MotionCompensation compensation_of(const FocusInput& input, MotionOrder order,
                                                          std::optional<double> ground_m,
                                                          const signal::FocusOptions& options);
 
-/// Puts echoes compensated to the line that fits the track best in the place of those of an input. core::Refused where
-/// the pulses are too unevenly spaced along the line to be interpolated or turn back, or the ground is out of reach.
+/// Puts echoes compensated to the line that fits the track best in the place of those of an input. core::InvalidRequest
+/// where the pulses are too unevenly spaced along the line to be interpolated or turn back, or the ground is out of
+/// reach.
 /// @param ground_m  height of the ground, world; nothing: that of the middle of the scene
 /// @param options   their Doppler centroid says the squint; half of their memory is used
 void compensate(FocusInput& input, MotionOrder order, std::optional<double> ground_m,

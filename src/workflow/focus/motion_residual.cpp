@@ -322,7 +322,7 @@ std::string text_of(const std::optional<MotionResidual>& residual) {
                      std::abs(residual->lost_db()), residual->target + 1);
 }
 
-core::Problems remarks_on_residual(const std::optional<MotionResidual>& residual, TakenFlight::Kind kind) {
+core::Problems diagnose_residual(const std::optional<MotionResidual>& residual, TakenFlight::Kind kind) {
   if (!(excess_of(residual) > 1.0)) return {};
   const char* what = "motion compensation, made for level ground in the middle of the beam,";
   const char* hint = "use --algorithm back-projection, which follows the flown track";

@@ -72,6 +72,6 @@ inline constexpr double max_residual_cells = 0.05;
 [[nodiscard]] std::string text_of(const std::optional<MotionResidual>& residual);
 
 /// A warning if an image is outside the tolerance, with the errors of the worst target.
-[[nodiscard]] core::Problems remarks_on_residual(const std::optional<MotionResidual>& residual, TakenFlight::Kind kind);
+[[nodiscard]] core::Problems diagnose_residual(const std::optional<MotionResidual>& residual, TakenFlight::Kind kind);
 
 }  // namespace sarsim::workflow

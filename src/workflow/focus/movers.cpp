@@ -8,7 +8,7 @@
 
 #include "signal/sar/sar_track.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
-#include "workflow/focus/sar_ghosts.hpp"
+#include "workflow/focus/azimuth_ambiguities.hpp"
 
 namespace sarsim::workflow {
 
@@ -66,8 +66,8 @@ void remark_on_rows(const std::vector<SarTarget>& targets, const std::vector<std
 
 }  // namespace
 
-core::Problems remarks_on_movers(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
-                                 const std::optional<signal::FocusedImage>& image, const core::WorkControl& control) {
+core::Problems diagnose_movers(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
+                               const std::optional<signal::FocusedImage>& image, const core::WorkControl& control) {
   constexpr double rest_mps = 1e-6;
   if (acquisition.scene->scatterers.size() > max_examined_targets || acquisition.scene->scatterers.empty()) return {};
   const Motions motions = motions_of(acquisition);

@@ -14,8 +14,8 @@ namespace sarsim::workflow {
 /// @param echoes  their track, waveform and window; no rows are read
 /// @param image   axes and frame; nothing: rows are not checked
 /// @throw  Interrupted
-[[nodiscard]] core::Problems remarks_on_movers(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
-                                               const std::optional<signal::FocusedImage>& image,
-                                               const core::WorkControl& control = {});
+[[nodiscard]] core::Problems diagnose_movers(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
+                                             const std::optional<signal::FocusedImage>& image,
+                                             const core::WorkControl& control = {});
 
 }  // namespace sarsim::workflow

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "scene/script/writer.hpp"
 #include "support/test_folder.hpp"
 #include "workflow/focus/focus.hpp"
@@ -89,9 +89,9 @@ TEST_F(FocusOfMovers, CutsAnAreaOutOfTheImageThatItWouldMake) {
 }
 
 TEST_F(FocusOfMovers, RefusesAreasThatAreNone) {
-  EXPECT_THROW(static_cast<void>(request({{"--azimuth", "20"}})), core::Refused);
-  EXPECT_THROW(static_cast<void>(request({{"--range", "20:10"}})), core::Refused);
-  EXPECT_THROW(static_cast<void>(focus(request({{"--range", "1:2"}}), {})), core::Refused);
+  EXPECT_THROW(static_cast<void>(request({{"--azimuth", "20"}})), core::InvalidRequest);
+  EXPECT_THROW(static_cast<void>(request({{"--range", "20:10"}})), core::InvalidRequest);
+  EXPECT_THROW(static_cast<void>(focus(request({{"--range", "1:2"}}), {})), core::InvalidRequest);
 }
 
 }  // namespace movers_test

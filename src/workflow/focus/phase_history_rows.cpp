@@ -9,7 +9,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 #include "core/maths/turns.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/cphd/vector_check.hpp"
 
 namespace sarsim::workflow {
@@ -30,7 +30,7 @@ std::size_t middle_sample(std::size_t samples) { return samples / 2; }
       core::problem_of(core::Severity::error, fmt::format("vector {} (from 0) {}", vector, what), std::move(found),
                        std::move(expected), "the file is damaged, or cut off and filled up");
   problem.place.file = file.file().path().string();
-  throw core::Refused({std::move(problem)});
+  throw core::InvalidRequest({std::move(problem)});
 }
 
 bool is_sound(const PhaseVector& v) {

@@ -28,7 +28,7 @@ class PhaseHistoryRows {
   [[nodiscard]] std::size_t together(std::size_t first) const;
   /// The echoes of vectors [first, first + count), without those that have no signal: compressed about the reference
   /// point of each vector, whose light time is that of an antenna that flies on or, bistatic, the sum of both ways.
-  /// @throws core::Refused for samples that are no numbers; core::Interrupted
+  /// @throws core::InvalidRequest for samples that are no numbers; core::Interrupted
   [[nodiscard]] signal::SarEchoes echoes(std::size_t first, std::size_t count, const core::WorkControl& control) const;
   /// Vectors, evenly chosen, at most so many; those without a signal are left out.
   [[nodiscard]] std::vector<raster::PhaseVector> some_vectors(std::size_t most) const;

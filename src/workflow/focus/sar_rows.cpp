@@ -131,10 +131,10 @@ core::Problems problems_of_sar(const simulate::Acquisition& acquisition, bool re
 // small velocity away from the scene makes.
 core::Vec3 for_turning(const core::Vec3& velocity_mps, const core::Vec3& antenna_m, const core::Vec3& scene_m,
                        const simulate::ResolvedScene& scene) {
-  const core::Vec3 look_m = scene_m - antenna_m;
+  const core::Vec3 line_of_sight_m = scene_m - antenna_m;
   const double carried =
       core::dot(radar::carried_mps(scene.turning, scene_m), velocity_mps) / scene.conventions.light_speed_mps;
-  return velocity_mps - (carried / core::norm(look_m)) * look_m;
+  return velocity_mps - (carried / core::norm(line_of_sight_m)) * line_of_sight_m;
 }
 
 // The antenna's mean velocity while an echo is under way: that with which its light time is that of an even flight.

@@ -3,7 +3,7 @@
 #include "signal/measure/image_quality.hpp"
 #include "simulate/plan/simulate_test_scene.hpp"
 #include "simulate/run/run.hpp"
-#include "workflow/focus/sar_ghosts.hpp"
+#include "workflow/focus/azimuth_ambiguities.hpp"
 #include "workflow/focus/sar_rows.hpp"
 
 /// Thesis 7.1 for tests: 200 m/s along y, 2000 m high, the scene 10 km away along x; a chirp of 100 MHz and 800 ns.

@@ -14,8 +14,8 @@
 #include "signal/measure/image_quality.hpp"
 #include "signal/sar/ground_grid.hpp"
 #include "signal/sar/sar_track.hpp"
-#include "workflow/focus/sar_ghosts.hpp"
-#include "workflow/focus/sar_looks.hpp"
+#include "workflow/focus/azimuth_ambiguities.hpp"
+#include "workflow/focus/target_aspects.hpp"
 #include "workflow/focus/tone_response.hpp"
 
 namespace sarsim::workflow {
@@ -32,7 +32,7 @@ enum class Domain {
 // The part that each look has in the image of its target.
 class LookWeights {
  public:
-  LookWeights(const SarLooks& looks, const signal::FocusOptions& options, std::size_t pulses, Domain domain)
+  LookWeights(const TargetAspects& looks, const signal::FocusOptions& options, std::size_t pulses, Domain domain)
       : looks_(looks),
         options_(options),
         pulses_(static_cast<double>(pulses)),
@@ -40,28 +40,28 @@ class LookWeights {
         domain_(domain) {}
 
   [[nodiscard]] Domain domain() const { return domain_; }
-  [[nodiscard]] double of(std::size_t i, std::span<const SarLook> seen) const {
+  [[nodiscard]] double of(std::size_t i, std::span<const TargetAspect> seen) const {
     const double from_centroid_hz = seen[i].doppler_hz - options_.doppler_centroid_hz;
     if (options_.doppler_bandwidth_hz > 0.0)
       return weight_(from_centroid_hz / options_.doppler_bandwidth_hz) * density(i, seen);
     return weight_((pulse(i, seen) + 0.5) / pulses_ - 0.5) * density(i, seen);
   }
   /// Whether its Doppler frequency is taken for what it is.
-  [[nodiscard]] bool sampled(const SarLook& look) const {
+  [[nodiscard]] bool sampled(const TargetAspect& look) const {
     return domain_ == Domain::time ||
            std::abs(look.doppler_hz - options_.doppler_centroid_hz) <= 0.5 / looks_.track().interval_s;
   }
 
  private:
   // That stands at the look's place in the image's record.
-  [[nodiscard]] double pulse(std::size_t i, std::span<const SarLook> seen) const {
+  [[nodiscard]] double pulse(std::size_t i, std::span<const TargetAspect> seen) const {
     const auto sent = static_cast<double>(looks_.pulse(i));
     const double length_s = seen.back().time_s - seen.front().time_s;
     if (domain_ != Domain::resampled || !(length_s > 0.0)) return sent;
     return (seen[i].time_s - seen.front().time_s) / length_s * static_cast<double>(looks_.pulse(seen.size() - 1));
   }
   // Of evenly spaced pulses where those that were sent stand this far apart, in parts of the mean.
-  [[nodiscard]] double density(std::size_t i, std::span<const SarLook> seen) const {
+  [[nodiscard]] double density(std::size_t i, std::span<const TargetAspect> seen) const {
     const double length_s = seen.back().time_s - seen.front().time_s;
     if (domain_ != Domain::resampled || !(length_s > 0.0)) return 1.0;
     const std::size_t before = i > 0 ? i - 1 : 0;
@@ -70,7 +70,7 @@ class LookWeights {
            static_cast<double>(seen.size() - 1) / length_s;
   }
 
-  const SarLooks& looks_;
+  const TargetAspects& looks_;
   const signal::FocusOptions& options_;
   double pulses_;
   std::function<double(double)> weight_;
@@ -78,15 +78,16 @@ class LookWeights {
 };
 
 // Sine of the angle by which the beam's middle looks ahead.
-double centroid_sine(const SarLooks& looks, const signal::FocusOptions& options, const signal::SarWaveform& waveform) {
+double centroid_sine(const TargetAspects& looks, const signal::FocusOptions& options,
+                     const signal::SarWaveform& waveform) {
   return radar::range_of_cycle(waveform.carrier_hz, waveform.light_speed_mps) * options.doppler_centroid_hz /
          looks.track().speed_mps;
 }
 
 // Sum of the weights that focusing divides by: over the pulses that it uses; in the frequency domain, over those that
 // sweep the whole of a band, flown or not.
-double sum_of_weights(const SarLooks& looks, const LookWeights& weights, const signal::FocusOptions& options,
-                      const signal::SarWaveform& waveform, std::span<const SarLook> seen, double range_m) {
+double sum_of_weights(const TargetAspects& looks, const LookWeights& weights, const signal::FocusOptions& options,
+                      const signal::SarWaveform& waveform, std::span<const TargetAspect> seen, double range_m) {
   if (options.doppler_bandwidth_hz <= 0.0 || weights.domain() == Domain::time) {
     double sum = 0.0;
     for (std::size_t i = 0; i < seen.size(); ++i) sum += weights.of(i, seen);
@@ -213,7 +214,7 @@ struct UsedLooks {
   double coherence = 1.0;
 };
 
-UsedLooks used_looks(const LookWeights& weights, std::span<const SarLook> seen, double sample_rate_hz) {
+UsedLooks used_looks(const LookWeights& weights, std::span<const TargetAspect> seen, double sample_rate_hz) {
   UsedLooks used;
   double moment = 0.0, whole_moment = 0.0;
   std::complex<double> folded;
@@ -240,7 +241,7 @@ UsedLooks used_looks(const LookWeights& weights, std::span<const SarLook> seen, 
 // The looks of a target as a cut through its image has them.
 class CutLooks {
  public:
-  CutLooks(const UsedLooks& used, std::span<const SarLook> seen, double sine_per_hz, const ImageGeometry& image,
+  CutLooks(const UsedLooks& used, std::span<const TargetAspect> seen, double sine_per_hz, const ImageGeometry& image,
            const signal::ImagePlace& on_image)
       : used_(used), seen_(seen), sine_per_hz_(sine_per_hz), image_(image) {
     if (image.ground)
@@ -270,7 +271,7 @@ class CutLooks {
   }
 
   const UsedLooks& used_;
-  std::span<const SarLook> seen_;
+  std::span<const TargetAspect> seen_;
   double sine_per_hz_;
   const ImageGeometry& image_;
   core::Vec3 point_m_;
@@ -330,16 +331,16 @@ signal::ImagePlace minus(const signal::ImagePlace& a, const signal::ImagePlace& 
 // What a target is in an image, for all targets of a plan.
 class Theories {
  public:
-  Theories(const SarLooks& looks, const LookWeights& weights, const signal::EchoRows& echoes,
+  Theories(const TargetAspects& looks, const LookWeights& weights, const signal::EchoRows& echoes,
            const signal::FocusOptions& options, const RangePulse& pulse, const ImageGeometry& image)
       : looks_(looks), weights_(weights), echoes_(echoes), options_(options), pulse_(pulse), image_(image) {}
 
-  [[nodiscard]] TargetTheory of(std::size_t number, std::span<const SarLook> seen) const {
+  [[nodiscard]] TargetTheory of(std::size_t number, std::span<const TargetAspect> seen) const {
     TargetTheory theory;
     theory.target = number;
     const UsedLooks used = used_looks(weights_, seen, echoes_.waveform.sample_rate_hz);
     if (!(used.whole > 0.0)) return theory;
-    const SarLook& middle = seen[used.middle];
+    const TargetAspect& middle = seen[used.middle];
     theory.place = looks_.place(middle, middle.doppler_hz);
     if (!(used.sum > 0.0)) {
       theory.unrecorded = true;
@@ -368,7 +369,7 @@ class Theories {
 
  private:
   // What is left of the wave vector of the looks' middle besides that of closest approach, along the ground.
-  [[nodiscard]] signal::SpectrumCentre centre_on_ground(const UsedLooks& used, std::span<const SarLook> seen,
+  [[nodiscard]] signal::SpectrumCentre centre_on_ground(const UsedLooks& used, std::span<const TargetAspect> seen,
                                                         double sine_per_hz, const signal::ImagePlace& on_image) const {
     const signal::ImageFrame& grid = *image_.ground;
     const core::Vec3& line = image_.slant->along;
@@ -391,14 +392,14 @@ class Theories {
 
   // What its own motion makes of a target's peak; nothing for one that rests, or behind an atmosphere.
   [[nodiscard]] std::optional<TargetBlur> blur_by_motion(std::size_t number, const UsedLooks& used,
-                                                         std::span<const SarLook> seen,
+                                                         std::span<const TargetAspect> seen,
                                                          const signal::ImagePlace& place) const {
     if (seen[used.middle].late_m != 0.0 || looks_.resting_place(number)) return std::nullopt;
     const double speed_mps = looks_.track().speed_mps;
     std::vector<BlurredLook> looks;
     looks.reserve(used.numbers.size());
     for (std::size_t i = 0; i < used.numbers.size(); ++i) {
-      const SarLook& look = seen[used.numbers[i]];
+      const TargetAspect& look = seen[used.numbers[i]];
       const double at_rest_m = std::hypot(place.range_m, place.azimuth_m - speed_mps * look.time_s);
       looks.push_back({look.doppler_hz / speed_mps, used.parts[i], look.distance_m - at_rest_m});
     }
@@ -418,9 +419,9 @@ class Theories {
   }
 
   // By how much the atmosphere moves a target, about the line.
-  [[nodiscard]] signal::ImagePlace shift_by_air(const SarLook& look) const {
+  [[nodiscard]] signal::ImagePlace shift_by_air(const TargetAspect& look) const {
     if (look.late_m == 0.0) return {};
-    const SarLook vacuum = look.in_vacuum();
+    const TargetAspect vacuum = look.in_vacuum();
     return minus(looks_.place(look, look.doppler_hz), looks_.place(vacuum, vacuum.doppler_hz));
   }
 
@@ -456,14 +457,14 @@ class Theories {
   // What the atmosphere makes of the sum of the looks besides moving the target: the carrier is ahead of the delay, and
   // the way through air grows along the aperture in another way than the distance from the place where the target
   // appears.
-  [[nodiscard]] std::complex<double> left_by_air(const UsedLooks& used, std::span<const SarLook> seen,
+  [[nodiscard]] std::complex<double> left_by_air(const UsedLooks& used, std::span<const TargetAspect> seen,
                                                  const signal::ImagePlace& place,
                                                  const signal::ImagePlace& shift) const {
     if (seen[used.middle].late_m == 0.0) return 1.0;
     const signal::ImagePlace is_at = minus(place, shift);
     std::complex<double> sum;
     for (std::size_t i = 0; i < used.numbers.size(); ++i) {
-      const SarLook& look = seen[used.numbers[i]];
+      const TargetAspect& look = seen[used.numbers[i]];
       const auto distance_m = [&](const signal::ImagePlace& from) {
         return std::hypot(from.range_m, from.azimuth_m - looks_.track().speed_mps * look.time_s);
       };
@@ -497,7 +498,7 @@ class Theories {
     return moved ? plus(in_plane, minus(on_ground(slant), on_ground(is_at))) : in_plane;
   }
 
-  const SarLooks& looks_;
+  const TargetAspects& looks_;
   const LookWeights& weights_;
   const signal::EchoRows& echoes_;
   const signal::FocusOptions& options_;
@@ -508,14 +509,14 @@ class Theories {
 std::vector<TargetTheory> theories_on(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
                                       const signal::FocusOptions& options, bool time_domain, ImageGeometry image,
                                       const core::WorkControl& control) {
-  const SarLooks looks(acquisition, echoes, pulse_weight(acquisition, options.range_window));
+  const TargetAspects looks(acquisition, echoes, pulse_weight(acquisition, options.range_window));
   const Domain domain = time_domain ? Domain::time : echoes.compensated ? Domain::resampled : Domain::frequency;
   const LookWeights weights(looks, options, echoes.track.size(), domain);
   if (image.ground) image.antennas_m = looks.antennas();
   const RangePulse pulse(acquisition, echoes, options.range_window);
   const Theories theory(looks, weights, echoes, options, pulse, image);
   std::vector<TargetTheory> theories(listed_targets(*acquisition.scene));
-  looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
+  looks.each(control, [&](std::size_t t, std::span<const TargetAspect> seen) {
     if (t < theories.size()) theories[t] = theory.of(t, seen);
   });
   return theories;

@@ -10,7 +10,7 @@
 
 #include "radar/path/path.hpp"
 #include "signal/sar/sar_track.hpp"
-#include "workflow/focus/sar_looks.hpp"
+#include "workflow/focus/target_aspects.hpp"
 
 namespace sarsim::workflow {
 
@@ -22,7 +22,7 @@ struct TargetSpectrum {
   std::optional<signal::ImageSpectrum> spectrum;
 };
 
-TargetSpectrum spectrum_of_target(std::span<const SarLook> seen, const signal::EchoRows& echoes, double band_hz,
+TargetSpectrum spectrum_of_target(std::span<const TargetAspect> seen, const signal::EchoRows& echoes, double band_hz,
                                   double centroid_hz, double speed_mps) {
   const double per_hz = radar::range_of_cycle(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps) / speed_mps;
   TargetSpectrum target;
@@ -30,7 +30,7 @@ TargetSpectrum spectrum_of_target(std::span<const SarLook> seen, const signal::E
   directions.reserve(seen.size());
   double all = 0.0;
   double used = 0.0;
-  for (const SarLook& look : seen) {
+  for (const TargetAspect& look : seen) {
     const double sine = per_hz * look.doppler_hz;
     const double weight = look.amplitude * look.share;
     all += weight;
@@ -67,7 +67,7 @@ std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Acquisition& 
     const auto [low, high] = std::ranges::minmax(echoes.carriers_hz);
     echoes.waveform.bandwidth_hz = std::abs(echoes.waveform.bandwidth_hz) + high - low;
   }
-  const SarLooks looks(acquisition, echoes, {}, max_looks);
+  const TargetAspects looks(acquisition, echoes, {}, max_looks);
   const double prf_hz = 1.0 / looks.track().interval_s;
   double band_hz = pulses == SeenPulses::all ? std::numeric_limits<double>::infinity() : prf_hz;
   if (kept.width_hz > 0.0) band_hz = std::min(band_hz, kept.width_hz);
@@ -75,7 +75,7 @@ std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Acquisition& 
   std::vector<TargetSpectrum> targets(looks.targets());
   looks.each(
       control,
-      [&](std::size_t t, std::span<const SarLook> seen) {
+      [&](std::size_t t, std::span<const TargetAspect> seen) {
         targets[t] = spectrum_of_target(seen, echoes, band_hz, kept.centroid_hz, looks.track().speed_mps);
       },
       std::max<std::size_t>(every, 1));
@@ -88,8 +88,8 @@ std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Acquisition& 
   return all;
 }
 
-core::Problems remarks_on_grid(const signal::FocusedImage& coarse, const signal::FocusedImage& axes,
-                               const signal::ImageSpectrum& spectrum) {
+core::Problems diagnose_grid(const signal::FocusedImage& coarse, const signal::FocusedImage& axes,
+                             const signal::ImageSpectrum& spectrum) {
   std::string text;
   if (axes.range.step_m < coarse.range.step_m)
     text += text_of_axis("columns", coarse.range, axes.range, spectrum.range);
@@ -103,7 +103,7 @@ core::Problems remarks_on_grid(const signal::FocusedImage& coarse, const signal:
                            {}, {}, {})};
 }
 
-core::Problems remarks_on_carriers(const signal::EchoRows& echoes, const signal::ImageSpectrum& spectrum) {
+core::Problems diagnose_carriers(const signal::EchoRows& echoes, const signal::ImageSpectrum& spectrum) {
   std::vector<double> carriers_hz = echoes.carriers_hz;
   std::ranges::sort(carriers_hz);
   carriers_hz.erase(std::ranges::unique(carriers_hz).begin(), carriers_hz.end());

@@ -5,7 +5,7 @@
 #include "core/report/problem.hpp"
 #include "signal/sar/focusing.hpp"
 #include "simulate/plan/acquisition.hpp"
-#include "workflow/focus/sar_ghosts.hpp"
+#include "workflow/focus/azimuth_ambiguities.hpp"
 
 namespace sarsim::workflow {
 
@@ -32,11 +32,11 @@ inline constexpr double left_out_of_image = 0.002;
 /// What a user should know of an image whose samples are closer than those of the recording: how close, and why.
 /// @param coarse  axes as the recording's sampling gives them
 /// @param axes    those of the image
-[[nodiscard]] core::Problems remarks_on_grid(const signal::FocusedImage& coarse, const signal::FocusedImage& axes,
-                                             const signal::ImageSpectrum& spectrum);
+[[nodiscard]] core::Problems diagnose_grid(const signal::FocusedImage& coarse, const signal::FocusedImage& axes,
+                                           const signal::ImageSpectrum& spectrum);
 
 /// What carriers that change from pulse to pulse leave ambiguous: ranges, where they are further apart than the pulse's
 /// band, and azimuths, where the spectrum holds more Doppler frequencies than each carrier's own pulses sample.
-[[nodiscard]] core::Problems remarks_on_carriers(const signal::EchoRows& echoes, const signal::ImageSpectrum& spectrum);
+[[nodiscard]] core::Problems diagnose_carriers(const signal::EchoRows& echoes, const signal::ImageSpectrum& spectrum);
 
 }  // namespace sarsim::workflow

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/maths/constants.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "signal/sar/image_test_value.hpp"
 #include "workflow/focus/focus.hpp"
 #include "workflow/focus/focus_test_script.hpp"
@@ -59,12 +59,12 @@ TEST_F(SteppedSar, SaysWhatTheCarriersLeaveAmbiguous) {
   scene.radars[0].prf_hz = 800.0;  // 100 Hz for each carrier; 100 m of flight from 10.2 km are 70 Hz
   const auto [acquisition, rows] = sar_recording(scene);
   const signal::ImageSpectrum narrow{{-0.1, 0.1}, {}};
-  const core::Problems ranges = remarks_on_carriers(rows, narrow);
+  const core::Problems ranges = diagnose_carriers(rows, narrow);
   ASSERT_EQ(ranges.size(), 1U);
   EXPECT_THAT(ranges[0].message,
               testing::HasSubstr("up to 40 MHz apart, more than the pulse's band: responses repeat every 3.747 m"));
   const signal::ImageSpectrum wide{{-0.3, 0.3}, {}};  // 120 Hz at 200 m/s
-  const core::Problems both = remarks_on_carriers(rows, wide);
+  const core::Problems both = diagnose_carriers(rows, wide);
   ASSERT_EQ(both.size(), 2U);
   EXPECT_THAT(
       both[1].message,
@@ -77,7 +77,7 @@ TEST_F(SteppedSar, IsRefusedByMethodsOfOneCarrierWithTheWayOut) {
   try {
     static_cast<void>(focus(request_, {}));
     ADD_FAILURE() << "omega-k took it";
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     EXPECT_THAT(core::to_string(refused.problems.front()),
                 testing::HasSubstr("the carrier changes from pulse to pulse"));
     EXPECT_THAT(refused.problems.front().hint, testing::HasSubstr("use back projection"));

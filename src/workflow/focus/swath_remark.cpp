@@ -12,9 +12,9 @@
 #include "radar/path/path.hpp"
 #include "signal/sar/image_area.hpp"
 #include "signal/sar/sar_track.hpp"
+#include "workflow/focus/azimuth_ambiguities.hpp"
 #include "workflow/focus/image_reach.hpp"
-#include "workflow/focus/sar_ghosts.hpp"
-#include "workflow/focus/sar_looks.hpp"
+#include "workflow/focus/target_aspects.hpp"
 
 namespace sarsim::workflow {
 
@@ -36,13 +36,13 @@ struct Candidate {
 };
 
 // Those of pulses whose Doppler frequency the pulses tell; the others have no weight.
-std::vector<signal::SeenDirection> directions_of(const SarLooks& looks, std::span<const SarLook> seen,
+std::vector<signal::SeenDirection> directions_of(const TargetAspects& looks, std::span<const TargetAspect> seen,
                                                  const signal::EchoRows& echoes, double centroid_hz) {
   const double per_hz =
       radar::range_of_cycle(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps) / looks.track().speed_mps;
   const double half_hz = 0.5 / looks.track().interval_s;
   std::vector<signal::SeenDirection> directions;
-  for (const SarLook& look : seen) {
+  for (const TargetAspect& look : seen) {
     const double sine = per_hz * look.doppler_hz;
     const bool told = std::abs(sine) < 1.0 && std::abs(look.doppler_hz - centroid_hz) <= half_hz;
     directions.push_back({told ? sine : 0.0, told ? look.amplitude * look.share : 0.0});
@@ -50,10 +50,10 @@ std::vector<signal::SeenDirection> directions_of(const SarLooks& looks, std::spa
   return directions;
 }
 
-Candidate candidate_of(const SarLooks& looks, std::size_t target, std::span<const SarLook> seen,
+Candidate candidate_of(const TargetAspects& looks, std::size_t target, std::span<const TargetAspect> seen,
                        std::span<const signal::SeenDirection> directions) {
   Candidate candidate{.target = target, .low_sine = 1.0, .high_sine = -1.0};
-  const auto amplitude = [](const SarLook& look) { return look.amplitude * look.share; };
+  const auto amplitude = [](const TargetAspect& look) { return look.amplitude * look.share; };
   double strongest = 0.0, strongest_of_all = 0.0, told = 0.0, all = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     strongest = std::max(strongest, directions[i].weight);
@@ -139,13 +139,13 @@ std::optional<MethodLoss> worst_method_loss(const simulate::Acquisition& acquisi
   if (options.azimuth_area) signal::cut_axis(image.azimuth, *options.azimuth_area);
   signal::EchoRows from_line = echoes;
   from_line.compensated = true;
-  const SarLooks looks(acquisition, from_line, {}, max_looks);
+  const TargetAspects looks(acquisition, from_line, {}, max_looks);
   std::vector<Candidate> candidates(looks.targets());
   std::vector<std::vector<signal::SeenDirection>> directions(looks.targets());
-  looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
+  looks.each(control, [&](std::size_t t, std::span<const TargetAspect> seen) {
     directions[t] = directions_of(looks, seen, echoes, options.doppler_centroid_hz);
     candidates[t] = candidate_of(looks, t, seen, directions[t]);
-    // What the image does not show it does not lose: `remarks_on_outside` tells of such targets.
+    // What the image does not show it does not lose: `diagnose_outside` tells of such targets.
     candidates[t].in_swath = candidates[t].in_swath && shows(image, candidates[t].place);
   });
   std::optional<MethodLoss> worst;
@@ -176,8 +176,8 @@ std::string text_of(const MethodLoss& loss) {
                      lost_db(loss.loss.amplitude), name_of_target(loss));
 }
 
-core::Problems remarks_on_swath_loss(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
-                                     const signal::FocusOptions& options, const core::WorkControl& control) {
+core::Problems diagnose_swath_loss(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
+                                   const signal::FocusOptions& options, const core::WorkControl& control) {
   const std::optional<MethodLoss> worst = worst_method_loss(acquisition, echoes, options, control);
   if (!worst) return {};
   const double grade = grade_of(worst->loss);
@@ -203,7 +203,7 @@ core::Problems remarks_on_swath_loss(const simulate::Acquisition& acquisition, c
       {}, expected, "use --algorithm omega-k, which compresses each range correctly")};
 }
 
-core::Problems remarks_on_area(const signal::EchoRows& echoes, const signal::FocusOptions& options) {
+core::Problems diagnose_area(const signal::EchoRows& echoes, const signal::FocusOptions& options) {
   if (!options.azimuth_area) return {};
   const signal::StraightTrack track = signal::fit_straight(echoes.track);
   const double far_s = echoes.first_delay_s + static_cast<double>(echoes.columns) / echoes.waveform.sample_rate_hz;

@@ -17,7 +17,7 @@ struct MethodLoss {
   double middle_m = 0.0;              ///< Closest distance of the middle of the swath.
   signal::SwathLoss loss;
   /// Smallest share of a target's echoes (within 20 dB of the strongest) whose Doppler frequency at the carrier is not
-  /// aliased: the rest is missing from its peak as well, which `remarks_on_ghosts` reports. 1 if no targets are
+  /// aliased: the rest is missing from its peak as well, which `diagnose_ghosts` reports. 1 if no targets are
   /// examined.
   double told = 1.0;
   std::size_t min_told = 0;  ///< The target of that share, counted from 0.
@@ -43,13 +43,13 @@ struct MethodLoss {
 /// What it says of that loss: a warning from 0.1 dB or 0.02 rad on, a note from a tenth of that on.
 /// @param echoes  their track, waveform and window; no rows are read
 /// @throw  Interrupted
-[[nodiscard]] core::Problems remarks_on_swath_loss(const simulate::Acquisition& acquisition,
-                                                   const signal::EchoRows& echoes, const signal::FocusOptions& options,
-                                                   const core::WorkControl& control = {});
+[[nodiscard]] core::Problems diagnose_swath_loss(const simulate::Acquisition& acquisition,
+                                                 const signal::EchoRows& echoes, const signal::FocusOptions& options,
+                                                 const core::WorkControl& control = {});
 
 /// A warning where the area in azimuth that is asked for lies beyond all points whose echoes the record can hold: those
 /// no farther from a pulse of it than the farthest sample, D: from x_first - D to x_last + D along the line of flight.
 /// @param echoes  their track, waveform and window; no rows are read. At least two pulses, and a speed
-[[nodiscard]] core::Problems remarks_on_area(const signal::EchoRows& echoes, const signal::FocusOptions& options);
+[[nodiscard]] core::Problems diagnose_area(const signal::EchoRows& echoes, const signal::FocusOptions& options);
 
 }  // namespace sarsim::workflow

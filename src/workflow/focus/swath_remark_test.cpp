@@ -34,7 +34,7 @@ TEST(SwathRemark, NamesTheTargetThatLosesMostAndItsLoss) {
   const auto [acquisition, rows] = sar_recording(wide_band_scene(90.0));
   signal::FocusOptions options{.method = signal::FocusMethod::range_doppler};
   options.doppler_centroid_hz = geometric_doppler_centroid_hz(*acquisition);
-  const core::Problems problems = remarks_on_swath_loss(*acquisition, rows, options);
+  const core::Problems problems = diagnose_swath_loss(*acquisition, rows, options);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].severity, core::Severity::warning);
   EXPECT_THAT(problems[0].message, HasSubstr("range-Doppler compresses all ranges like the middle of the swath"));
@@ -45,7 +45,7 @@ TEST(SwathRemark, NamesTheTargetThatLosesMostAndItsLoss) {
   const double found = focused_point(rows, place, options).amplitude / sar_targets(*acquisition, rows).at(1).amplitude;
   EXPECT_NEAR(-20.0 * std::log10(found), lost_db, 0.1);
   options.method = signal::FocusMethod::omega_k;
-  EXPECT_TRUE(remarks_on_swath_loss(*acquisition, rows, options).empty());
+  EXPECT_TRUE(diagnose_swath_loss(*acquisition, rows, options).empty());
 }
 
 // What is found of the target that is named, against its theory, which knows of the antenna.
@@ -122,7 +122,7 @@ TEST(SwathRemark, SaysWhatOmegaKLosesAtTheUpperEndOfTheBand) {
     EXPECT_NEAR(
         20.0 * std::log10(found_loss(*acquisition, rows, signal::sar_echoes(rows, {.threads = 2}), options).amplitude),
         predicted_db, 0.1);
-    const core::Problems problems = remarks_on_swath_loss(*acquisition, rows, options);
+    const core::Problems problems = diagnose_swath_loss(*acquisition, rows, options);
     if (prf_hz == 400.0) {
       EXPECT_TRUE(problems.empty());
       continue;
@@ -135,16 +135,16 @@ TEST(SwathRemark, SaysWhatOmegaKLosesAtTheUpperEndOfTheBand) {
 
 TEST(SwathRemark, SaysNothingOfNarrowBandsAtBroadside) {
   const auto [acquisition, rows] = sar_recording(sar_scene(600.0, {{0.0, 0.0, 0.0}, {80.0, 0.0, 0.0}}));
-  EXPECT_TRUE(remarks_on_swath_loss(*acquisition, rows, {.method = signal::FocusMethod::chirp_scaling}).empty());
+  EXPECT_TRUE(diagnose_swath_loss(*acquisition, rows, {.method = signal::FocusMethod::chirp_scaling}).empty());
 }
 
 // The record and its ranges are a few kilometres long.
 TEST(AreaRemark, NamesBothIntervalsWhereNoEchoComesFromTheArea) {
   const auto [acquisition, rows] = sar_recording(sar_scene(600.0, {{0.0, 0.0, 0.0}}));
   const auto remarks = [&rows = rows](double first_m, double last_m) {
-    return remarks_on_area(rows, {.azimuth_area = signal::AxisInterval{first_m, last_m}});
+    return diagnose_area(rows, {.azimuth_area = signal::AxisInterval{first_m, last_m}});
   };
-  EXPECT_TRUE(remarks_on_area(rows, {}).empty());
+  EXPECT_TRUE(diagnose_area(rows, {}).empty());
   EXPECT_TRUE(remarks(-1e5, 1e5).empty());
   EXPECT_TRUE(remarks(1000.0, 1e5).empty());
   for (const double side : {-1.0, 1.0}) {

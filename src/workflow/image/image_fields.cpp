@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/build/version.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/image_gate.hpp"
 #include "workflow/image/map_fields.hpp"
@@ -89,7 +89,7 @@ class FieldTaker {
 
  private:
   [[noreturn]] void refuse(const std::string& name, const char* what) const {
-    throw core::Refused(fmt::format("{}: '{}' {}", file_, name, what), "measure images that sarsim focus wrote");
+    throw core::InvalidRequest(fmt::format("{}: '{}' {}", file_, name, what), "measure images that sarsim focus wrote");
   }
   [[nodiscard]] double parsed(const std::string& name, std::string value) const {
     const std::size_t begin = value.find_first_not_of(' ');

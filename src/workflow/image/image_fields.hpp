@@ -48,7 +48,7 @@ struct ImageOrigin {
 /// The header of a focused image (docs/formats/focused-images.md).
 [[nodiscard]] raster::EnviHeader header_of(const signal::FocusedImage& image, const ImageOrigin& origin);
 
-/// Reads a header back; throws core::Refused where it is not that of a focused image.
+/// Reads a header back; throws core::InvalidRequest where it is not that of a focused image.
 void read_header(const raster::EnviHeader& header, const std::string& file, signal::FocusedImage& image,
                  ImageOrigin& origin);
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/maths/constants.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 
 namespace sarsim::workflow {
 namespace image_fields_test {
@@ -52,7 +52,7 @@ std::string refusal_with(const std::string& name, const std::string& value) {
   field->second = value;
   try {
     read_header(header, "x.hdr", image, origin);
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     return refused.problems.at(0).message;
   }
   return {};

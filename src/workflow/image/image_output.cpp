@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "raster/table/formats.hpp"
@@ -73,13 +73,14 @@ bool carries_axes(const fs::path& path) {
   return format && raster::format_of(*format).carries_axes;
 }
 
-void expect_place(const KeptImage& image, const fs::path& path) {
+void expect_place(const InMemoryImage& image, const fs::path& path) {
   if (image.origin && image.origin->collection) return;
-  throw core::Refused(fmt::format("'{}': SICD is for focused images whose place on the Earth is known", path.string()),
-                      "focus a scene over the Earth, or with an anchor; or name it .img");
+  throw core::InvalidRequest(
+      fmt::format("'{}': SICD is for focused images whose place on the Earth is known", path.string()),
+      "focus a scene over the Earth, or with an anchor; or name it .img");
 }
 
-SicdImage sicd_of(const KeptImage& image, const raster::EnviHeader& header, const fs::path& path) {
+SicdImage sicd_of(const InMemoryImage& image, const raster::EnviHeader& header, const fs::path& path) {
   signal::FocusedImage axes;
   ImageOrigin ignored;
   read_header(header, path.string(), axes, ignored);
@@ -102,7 +103,7 @@ void expect_no_picture(const fs::path& path, std::string_view option) {
   const std::string extension = path.extension().string();
   for (const std::string_view picture : pictures)
     if (core::equal_ignoring_case(extension, picture))
-      throw core::Refused(
+      throw core::InvalidRequest(
           fmt::format("{} '{}' is the name of a picture, and an image is written as samples", option, path.string()),
           fmt::format("name it {0}; 'sarsim plot {0} -o {1}' then draws it",
                       fs::path(path).replace_extension(".img").string(), drawn_as(path).string()));
@@ -121,7 +122,7 @@ void expect_image_ending(const fs::path& path, std::string_view option) {
   const scene::TradeChoice* const meant = scene::trade_choice(extension, "format");
   const auto format = meant == nullptr ? std::nullopt : raster::format_from_name(meant->word);
   const auto named = [&](std::string_view ending) { return fs::path(path).replace_extension(ending).string(); };
-  throw core::Refused(
+  throw core::InvalidRequest(
       fmt::format("{}: the extension of '{}' names no format of images", option, path.string()),
       format ? fmt::format("name it {}{}{}", named(raster::extension_of(*format)), meant->note.empty() ? "" : ": ",
                            meant->note)
@@ -130,9 +131,10 @@ void expect_image_ending(const fs::path& path, std::string_view option) {
 
 void expect_no_sicd(const fs::path& path, std::string_view option) {
   if (is_sicd(path))
-    throw core::Refused(fmt::format("{} '{}' is the name of a SICD file, which only images of sarsim focus become",
-                                    option, path.string()),
-                        fmt::format("name it {}", fs::path(path).replace_extension(".img").string()));
+    throw core::InvalidRequest(
+        fmt::format("{} '{}' is the name of a SICD file, which only images of sarsim focus become", option,
+                    path.string()),
+        fmt::format("name it {}", fs::path(path).replace_extension(".img").string()));
 }
 
 fs::path magnitude_path(const fs::path& path) {
@@ -146,11 +148,11 @@ std::vector<fs::path> files_of_image(const fs::path& path) {
   return {path, fs::path(path).replace_extension(".hdr")};
 }
 
-KeptImage kept_image(const signal::FocusedRows& image, const ImageOrigin& origin) {
+InMemoryImage in_memory_image(const signal::FocusedRows& image, const ImageOrigin& origin) {
   return {{header_of(image.image, origin), product_of(image.image, origin), {}}, image, origin};
 }
 
-void write_image(const KeptImage& image, const fs::path& path, bool replace, const core::StopFlag* stop) {
+void write_image(const InMemoryImage& image, const fs::path& path, bool replace, const core::StopFlag* stop) {
   if (is_sicd(path)) expect_place(image, path);
   if (image.write) return image.write(path, replace, stop);
   ImageContent content = image.content;
@@ -167,7 +169,7 @@ void write_image(const KeptImage& image, const fs::path& path, bool replace, con
 
 void write_image(const signal::FocusedRows& image, const ImageOrigin& origin, const fs::path& path, bool replace,
                  bool magnitude, const core::StopFlag* stop) {
-  KeptImage written = kept_image(image, origin);
+  InMemoryImage written = in_memory_image(image, origin);
   if (magnitude) written.content.header.pixel = raster::EnviHeader::Pixel::real_float;
   write_image(written, path, replace, stop);
 }

@@ -8,7 +8,7 @@
 #include "core/task/stop.hpp"
 #include "signal/sar/focusing.hpp"
 #include "workflow/image/image_fields.hpp"
-#include "workflow/image/kept_image.hpp"
+#include "workflow/image/in_memory_image.hpp"
 
 namespace sarsim::workflow {
 
@@ -36,7 +36,7 @@ void expect_no_sicd(const std::filesystem::path& path, std::string_view option);
 [[nodiscard]] std::vector<std::filesystem::path> files_of_image(const std::filesystem::path& path);
 
 /// What an image is, as it stays in memory; its rows are those of `image`.
-[[nodiscard]] KeptImage kept_image(const signal::FocusedRows& image, const ImageOrigin& origin);
+[[nodiscard]] InMemoryImage in_memory_image(const signal::FocusedRows& image, const ImageOrigin& origin);
 
 /// Writes an image in the format that the path's extension says (docs/formats/focused-images.md): ENVI or NPY with a
 /// header, HDF5 as complex samples, SICD where the origin has a collection, the others as counts of 16 bits whose

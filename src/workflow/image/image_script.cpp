@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/open_raster.hpp"
@@ -78,7 +78,7 @@ std::optional<std::string> sum_of_samples(const std::string& source, const std::
                                         ? raster::RasterHints{}
                                         : hints_for(source, samples, static_cast<std::int64_t>(simulation) + 1, alone);
   raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, source, hints, stop);
-  if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));
+  if (!opened.raster) throw core::InvalidRequest(core::ranked(std::move(opened.problems)));
   return samples_sum(*opened.raster, stop);
 }
 
@@ -120,14 +120,14 @@ std::vector<FoundFile> found(const std::string& path, const std::string& from_im
 
 std::vector<FoundFile> expected(std::vector<FoundFile> files, const std::string& path, const fs::path& image) {
   if (files.empty())
-    throw core::Refused(fmt::format("'{}', which '{}' was made from, is not there", path, image.string()),
-                        "bring it back, or name the script that it was made from with --script");
+    throw core::InvalidRequest(fmt::format("'{}', which '{}' was made from, is not there", path, image.string()),
+                               "bring it back, or name the script that it was made from with --script");
   return files;
 }
 
 [[noreturn]] void refuse_namesake(const FoundFile& file, const char* what, const std::string& path,
                                   const fs::path& image) {
-  throw core::Refused(
+  throw core::InvalidRequest(
       fmt::format("'{}' is not the file that '{}' was made from: it has other {}", file.path, image.string(), what),
       fmt::format("bring back '{}' as it was, or name the script that the image was made from with --script", path));
 }

@@ -26,10 +26,10 @@ struct WayBack {
 
 /// Finds the files of a header: relative to the image, relative to the current folder, beside the image. A file is
 /// identified by its checksum, not by its name: of the files with the name in these folders, the one with the samples,
-/// or the scene, that the image was made from. Throws core::Refused if the source is in none of these folders, or if
-/// only another recording is there or, in another folder than the original, another scene. A scene that was edited in
-/// its original place is used, with a warning; so is, with a note, the recording of an image of an earlier version,
-/// which has no checksum.
+/// or the scene, that the image was made from. Throws core::InvalidRequest if the source is in none of these folders,
+/// or if only another recording is there or, in another folder than the original, another scene. A scene that was
+/// edited in its original place is used, with a warning; so is, with a note, the recording of an image of an earlier
+/// version, which has no checksum.
 /// @param script  the one to take instead of the header's, which it need not be like; empty: none
 /// @param stop    asked now and then; a requested stop throws Interrupted
 [[nodiscard]] WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin,

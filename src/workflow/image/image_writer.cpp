@@ -89,7 +89,7 @@ void ImageWriter::finish() {
   if (text) text->commit();
 }
 
-KeptImage ImageWriter::kept() && {
+InMemoryImage ImageWriter::kept() && {
   const std::size_t rows = content_.header.lines;
   const std::size_t columns = content_.header.samples;
   return {std::move(content_),

@@ -11,7 +11,7 @@
 #include "raster/sicd/sicd_writer.hpp"
 #include "raster/table/raster_writer.hpp"
 #include "simulate/plan/sink.hpp"
-#include "workflow/image/kept_image.hpp"
+#include "workflow/image/in_memory_image.hpp"
 
 namespace sarsim::workflow {
 
@@ -34,7 +34,7 @@ class ImageWriter {
   /// Writes the header and gives the files their names; std::logic_error where rows are missing.
   void finish();
   /// The image that was kept, once it is finished.
-  [[nodiscard]] KeptImage kept() &&;
+  [[nodiscard]] InMemoryImage kept() &&;
 
  private:
   void write_npy_header(core::OutputFile& file) const;

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/counted.hpp"
 #include "core/text/number_text.hpp"
 
@@ -84,7 +84,7 @@ void take_axis(const NamedAxis& axis, raster::RasterAxes& axes) {
     axes.column_range_m = axis.values;
     axes.column_axis = axis.name;
   } else if (!take_pose(axis, axes.row_pose)) {
-    throw core::Refused(fmt::format("'{}' is not the name of an axis", axis.name), "axes are " + list_of_axes());
+    throw core::InvalidRequest(fmt::format("'{}' is not the name of an axis", axis.name), "axes are " + list_of_axes());
   }
 }
 
@@ -92,7 +92,7 @@ void expect_count(const NamedAxis& axis, std::size_t rows, std::size_t columns) 
   const bool of_columns = std::ranges::find(column_places, axis.name) != column_places.end();
   const std::size_t expected = of_columns ? columns : rows;
   if (axis.values.size() != expected)
-    throw core::Refused(
+    throw core::InvalidRequest(
         fmt::format("the axis {} has {}, but there are {}", axis.name, core::counted(axis.values.size(), "value"),
                     core::counted(expected, of_columns ? "column" : "row")),
         fmt::format("give a value for each {}", of_columns ? "column" : "row"));

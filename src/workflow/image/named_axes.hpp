@@ -26,8 +26,8 @@ struct NamedAxis {
 /// rotations of the radar's platform are three axes each: "position_x_m".
 [[nodiscard]] std::vector<NamedAxis> named_axes(const raster::RasterAxes& axes);
 
-/// The same backwards; what is not there is not a number. Throws core::Refused for a name that no such axis has, and
-/// for another number of values than rows or columns.
+/// The same backwards; what is not there is not a number. Throws core::InvalidRequest for a name that no such axis has,
+/// and for another number of values than rows or columns.
 [[nodiscard]] raster::RasterAxes axes_of(const std::vector<NamedAxis>& named, std::size_t rows, std::size_t columns);
 
 }  // namespace sarsim::workflow

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/custom_raw.hpp"
@@ -25,7 +25,7 @@ std::optional<raster::EnviHeader> focused_header(const std::string& path) {
   const std::string ending = fs::path(path).extension().string();
   if ((ending != ".img" && ending != ".npy") || !raster::has_envi_header(path)) return std::nullopt;
   auto [image, problems] = raster::EnviImage::open(path);
-  if (!image) throw core::Refused(std::move(problems));
+  if (!image) throw core::InvalidRequest(std::move(problems));
   return image->header();
 }
 
@@ -93,8 +93,8 @@ void expect_no_hints(const PlacedImageRequest& request) {
   const SampleArguments& samples = request.samples;
   if (samples.format || samples.columns || samples.bits || samples.lsb_v || !samples.script.empty() ||
       !samples.dataset.empty())
-    throw core::Refused(fmt::format("'{}' has a header, which says all about its samples", request.path),
-                        "leave out --from, --columns, --bits, --lsb, --dataset and --script");
+    throw core::InvalidRequest(fmt::format("'{}' has a header, which says all about its samples", request.path),
+                               "leave out --from, --columns, --bits, --lsb, --dataset and --script");
 }
 
 }  // namespace
@@ -158,15 +158,15 @@ PlacedImage open_placed_image(const PlacedImageRequest& request, const core::Obs
     hints = hints_for(request.path, request.samples, request.simulation, observer);
   }
   raster::OpenedRaster opened = raster::open_raster(raster::Integrity::partial, request.path, hints, observer.stop);
-  if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));
+  if (!opened.raster) throw core::InvalidRequest(core::ranked(std::move(opened.problems)));
   observer.remarks(core::ranked(std::move(opened.problems)));
   opened.raster->wait_until_indexed(observer.stop);
   // A picture of a part of the rows would be taken for one of all.
   core::Problems found = opened.raster->problems();
-  if (core::has_errors(found)) throw core::Refused(core::ranked(std::move(found)));
+  if (core::has_errors(found)) throw core::InvalidRequest(core::ranked(std::move(found)));
   observer.remarks(core::ranked(std::move(found)));
   if (opened.raster->rows() == 0 || opened.raster->columns() == 0)
-    throw core::Refused(request.path + " holds no samples");
+    throw core::InvalidRequest(request.path + " holds no samples");
   input.source = std::move(opened.raster);
   if (header) return input;
   input.focused = input.source->info().places;

@@ -43,20 +43,20 @@ struct PlacedImage {
 
 /// The places of the rows and columns of an open file, for axes: those of the header beside it, those that the file
 /// itself says, or those of evenly spaced times and ranges. Nothing where nobody says any.
-/// @throws core::Refused where the header beside the file is faulty; what reading the axes throws
+/// @throws core::InvalidRequest where the header beside the file is faulty; what reading the axes throws
 [[nodiscard]] std::optional<raster::FocusedPlaces> drawn_places(const std::filesystem::path& path,
                                                                 const raster::Raster& source);
 /// The same of times and ranges alone.
 [[nodiscard]] std::optional<raster::FocusedPlaces> drawn_places(const raster::RasterAxes& axes);
 
 /// The algorithm that the header beside an image names; empty where none does.
-/// @throws core::Refused where the header is faulty
+/// @throws core::InvalidRequest where the header is faulty
 [[nodiscard]] std::string algorithm_said(const std::filesystem::path& path);
 
 /// Opens a file with the places of its samples: those of the header beside an image, otherwise those that the file
 /// carries, otherwise those of its script. Waits until all its rows are known.
 /// @param observer  hears warnings about the file
-/// @throws core::Refused where it cannot be read whole or holds no samples, core::Interrupted when stopped
+/// @throws core::InvalidRequest where it cannot be read whole or holds no samples, core::Interrupted when stopped
 [[nodiscard]] PlacedImage open_placed_image(const PlacedImageRequest& request, const core::Observer& observer);
 
 }  // namespace sarsim::workflow

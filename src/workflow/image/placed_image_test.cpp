@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/format/envi.hpp"
 
 namespace sarsim::workflow {
@@ -81,7 +81,7 @@ TEST_F(PlacedImageTest, NeedsNothingSaidWhereAHeaderSaysIt) {
   write({{"map", "ppi"}});
   PlacedImageRequest request{file_.string(), {}, {}};
   request.samples.bits = 8;
-  EXPECT_THROW(static_cast<void>(open_placed_image(request, {})), core::Refused);
+  EXPECT_THROW(static_cast<void>(open_placed_image(request, {})), core::InvalidRequest);
 }
 
 }  // namespace placed_image_test

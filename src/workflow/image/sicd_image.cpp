@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/build/version.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "raster/table/product_attributes.hpp"
@@ -125,8 +125,8 @@ class SicdMaker {
         return;
       }
     }
-    throw core::Refused("SICD: no range of the image reaches the ground, at the height of the scene's middle",
-                        "give the ground another --height, or name the output .img");
+    throw core::InvalidRequest("SICD: no range of the image reaches the ground, at the height of the scene's middle",
+                               "give the ground another --height, or name the output .img");
   }
 
   // Of a slant image the line that its ranges and azimuths are counted from; of a ground grid, whose echoes keep the
@@ -516,7 +516,7 @@ std::optional<core::Vec3> ground_point(const signal::FocusedImage& image, const 
 SicdImage sicd_of(const signal::FocusedImage& image, const ImageOrigin& origin, const ImageCollection& collection,
                   const raster::EnviHeader& header, const std::string& name) {
   if (is_of_turning_target(origin))
-    throw core::Refused("SICD has no place for images of turning targets", "name the output .img");
+    throw core::InvalidRequest("SICD has no place for images of turning targets", "name the output .img");
   return SicdMaker(image, origin, collection).made(header, name);
 }
 

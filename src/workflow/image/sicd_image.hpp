@@ -59,8 +59,8 @@ struct SicdImage {
   bool backwards = false;  ///< The first row along the track is the last column: the radar looks to the left.
 };
 
-/// Describes a focused image (docs/formats/sicd.md). Throws core::Refused where it never reaches the ground or turns
-/// (sarsim isar).
+/// Describes a focused image (docs/formats/sicd.md). Throws core::InvalidRequest where it never reaches the ground or
+/// turns (sarsim isar).
 /// @param header  of the same image as ENVI: its fields become parameters of the collection
 /// @param name    CoreName: that of the file without its ending
 [[nodiscard]] SicdImage sicd_of(const signal::FocusedImage& image, const ImageOrigin& origin,

@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/hash/checksum.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/model/cloud_points.hpp"
@@ -230,7 +230,7 @@ core::Problems read_clouds(scene::Scene& scene, const fs::path& folder, const co
 scene::Cloud cloud_of_points(const std::string& platform, const std::string& file, std::span<const double> positions_m,
                              std::span<const double> rcs_m2, const core::WorkControl& control) {
   const std::size_t count = positions_m.size() / 3;
-  if (count == 0) throw core::Refused("a cloud needs at least one point");
+  if (count == 0) throw core::InvalidRequest("a cloud needs at least one point");
   radar::PointArrays arrays;
   for (const auto column :
        {&radar::PointArrays::x_m, &radar::PointArrays::y_m, &radar::PointArrays::z_m, &radar::PointArrays::root_rcs_m})
@@ -243,7 +243,7 @@ scene::Cloud cloud_of_points(const std::string& platform, const std::string& fil
   }
   const PointsFound found = take_points(arrays, control);
   if (found.bad_row != PointsFound::none)
-    throw core::Refused(
+    throw core::InvalidRequest(
         {problem_of_file(file, fault_of_cell("point", found.bad_row + 1, found.bad_column, found.bad_value))});
   scene::Cloud cloud;
   cloud.platform = platform;

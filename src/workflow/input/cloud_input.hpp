@@ -26,7 +26,7 @@ inline constexpr std::size_t max_cloud_looks = 65'536;
 /// @param file         that it names; it need not be there
 /// @param positions_m  x, y and z of each, in the platform's frame
 /// @param rcs_m2       of each; empty: 1 m2
-/// @throws core::Refused without points, and for numbers that cannot be computed with
+/// @throws core::InvalidRequest without points, and for numbers that cannot be computed with
 [[nodiscard]] scene::Cloud cloud_of_points(const std::string& platform, const std::string& file,
                                            std::span<const double> positions_m, std::span<const double> rcs_m2,
                                            const core::WorkControl& control = {core::thread_count(0)});

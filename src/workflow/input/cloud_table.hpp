@@ -8,7 +8,7 @@
 
 #include "core/os/input_file.hpp"
 #include "core/task/parallel.hpp"
-#include "radar/echo/sight.hpp"
+#include "radar/echo/view_geometry.hpp"
 #include "scene/model/scene.hpp"
 
 /// The readers of tables of points, one for each format (docs/formats/point-tables.md).

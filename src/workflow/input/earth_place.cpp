@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/earth/earth_depth.hpp"
@@ -18,10 +18,11 @@ namespace sarsim::workflow {
 namespace {
 
 [[noreturn]] void refuse_place(std::string message, std::string found) {
-  throw core::Refused({core::problem_of(core::Severity::error, std::move(message), std::move(found),
-                                        fmt::format("at most {:g} m below the ellipsoid, up to {:g} m from the centre",
-                                                    -radar::deepest_place_m, radar::farthest_place_m),
-                                        "heights count in m, positive upwards")});
+  throw core::InvalidRequest(
+      {core::problem_of(core::Severity::error, std::move(message), std::move(found),
+                        fmt::format("at most {:g} m below the ellipsoid, up to {:g} m from the centre",
+                                    -radar::deepest_place_m, radar::farthest_place_m),
+                        "heights count in m, positive upwards")});
 }
 
 [[noreturn]] void refuse_deep(const std::string& what, double depth_m) {
@@ -54,8 +55,8 @@ radar::Anchor anchor_from_text(const std::string& text, const std::string& optio
                       fmt::format("{} {}", option, text));
     }
   }
-  throw core::Refused(fmt::format("{}: '{}' is not a place", option, text),
-                      "give LATITUDE,LONGITUDE,HEIGHT[,HEADING] in degrees and metres, as -33.9,18.4,120");
+  throw core::InvalidRequest(fmt::format("{}: '{}' is not a place", option, text),
+                             "give LATITUDE,LONGITUDE,HEIGHT[,HEADING] in degrees and metres, as -33.9,18.4,120");
 }
 
 void expect_possible_place(const core::Vec3& ecef_m, const std::string& what) {
@@ -74,11 +75,12 @@ EarthPlace earth_place(const scene::World& world, const std::optional<radar::Anc
                        const std::string& format) {
   auto earth = scene::earth_of(world);
   if (earth && anchor)
-    throw core::Refused("--anchor: the scene says itself where on the Earth it is", "leave out --anchor");
+    throw core::InvalidRequest("--anchor: the scene says itself where on the Earth it is", "leave out --anchor");
   if (!earth && !anchor)
-    throw core::Refused(fmt::format("{} has places on the Earth, but the world of the scene is flat", format),
-                        "give --anchor LATITUDE,LONGITUDE,HEIGHT[,HEADING] of its origin, or make its world the Earth "
-                        "([world] frame = \"earth\")");
+    throw core::InvalidRequest(
+        fmt::format("{} has places on the Earth, but the world of the scene is flat", format),
+        "give --anchor LATITUDE,LONGITUDE,HEIGHT[,HEADING] of its origin, or make its world the Earth "
+        "([world] frame = \"earth\")");
   if (!earth) earth.emplace(*anchor);
   const radar::InstantReading epoch = scene::epoch_of(world);
   if (epoch.instant) return {*earth, *epoch.instant, {}};

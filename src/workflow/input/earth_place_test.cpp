@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 
 namespace sarsim::workflow {
 namespace earth_place_test {
@@ -13,7 +13,7 @@ TEST(EarthPlace, AnchorsInsideTheEarthAreRefusedAsByTheirReaders) {
   for (const char* const bad : {"10,20,-12001", "10,20,-7e5", "10,20,-6.4e6", "10,20,-1.3e7", "10,20,1e12"}) try {
       static_cast<void>(anchor_from_text(bad, "--anchor"));
       ADD_FAILURE() << bad;
-    } catch (const core::Refused& refused) {
+    } catch (const core::InvalidRequest& refused) {
       EXPECT_EQ(refused.problems.front().message.substr(0, 9), "--anchor ") << bad;
       EXPECT_NE(refused.problems.front().expected.find("at most 12000 m below the ellipsoid"), std::string::npos);
     }

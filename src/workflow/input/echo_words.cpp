@@ -15,7 +15,7 @@ namespace {
 // Points of a plane add up in phase to a mirror: they have no mean power of a resolution cell.
 constexpr const char* surfaces_left_out = "the echoes of surfaces, which interfere, are left out here";
 
-std::string one_echo(const simulate::TargetSight& sight) {
+std::string one_echo(const simulate::TargetVisibility& sight) {
   return fmt::format("{:.4g} V of target {}", sight.amplitude_v, sight.target + 1);
 }
 
@@ -25,15 +25,15 @@ std::string ratio_range(double low, double high) {
   return first == last ? first : first + " to " + last;
 }
 
-std::string snr_line(const std::vector<simulate::TargetSight>& sights) {
-  const auto [low, high] = std::ranges::minmax(sights, {}, &simulate::TargetSight::snr);
-  const auto [weak, strong] = std::ranges::minmax(sights, {}, &simulate::TargetSight::processed_snr);
+std::string snr_line(const std::vector<simulate::TargetVisibility>& sights) {
+  const auto [low, high] = std::ranges::minmax(sights, {}, &simulate::TargetVisibility::snr);
+  const auto [weak, strong] = std::ranges::minmax(sights, {}, &simulate::TargetVisibility::processed_snr);
   return fmt::format("    SNR {} per pulse, {} with all pulses added\n", ratio_range(low.snr, high.snr),
                      ratio_range(weak.processed_snr, strong.processed_snr));
 }
 
 void write_sight(core::JsonWriter& json, const char* key, const simulate::EchoSummary& summary,
-                 const simulate::TargetSight& sight) {
+                 const simulate::TargetVisibility& sight) {
   json.key(key).begin_object().member("target", sight.target + 1).member("amplitude_v", sight.amplitude_v);
   json.member("pulse", static_cast<double>(sight.pulse));
   if (summary.noise) json.member("snr", sight.snr).member("processed_snr", sight.processed_snr);
@@ -50,7 +50,7 @@ std::string decibel_text(double ratio) {
   return ratio > 0.0 ? fmt::format("{:.1f} dB", std::round(10.0 * core::power_db(ratio)) / 10.0 + 0.0) : "none";
 }
 
-std::string off_beam_text(const simulate::TargetSight& sight, scene::Profile profile) {
+std::string off_beam_text(const simulate::TargetVisibility& sight, scene::Profile profile) {
   const bool is_signed = profile == scene::Profile::physical;
   // A thousandth of a degree is finer than any beam.
   const auto angle = [&](double rad) {
@@ -68,14 +68,14 @@ std::string echo_text(const scene::Scene& scene, const simulate::EchoSummary& su
   std::string text = begin + fmt::format("{} of {} targets in the window{}\n", summary.in_window, summary.targets,
                                          all ? "" : fmt::format(", {} of them examined", summary.sights.size()));
   if (!scene.surfaces.empty()) text += std::string("    ") + surfaces_left_out + "\n";
-  const simulate::TargetSight& strongest = summary.strongest();
-  const simulate::TargetSight& weakest = summary.weakest();
+  const simulate::TargetVisibility& strongest = summary.strongest();
+  const simulate::TargetVisibility& weakest = summary.weakest();
   text += "    strongest echo " + one_echo(strongest);
   if (strongest.target != weakest.target) text += ", weakest " + one_echo(weakest);
   text += "\n";
   if (summary.noise) text += snr_line(summary.sights);
   if (!summary.directive) return text;
-  const auto [far, near] = std::ranges::minmax(summary.sights, {}, &simulate::TargetSight::pattern);
+  const auto [far, near] = std::ranges::minmax(summary.sights, {}, &simulate::TargetVisibility::pattern);
   text += fmt::format("    target {}: {}\n", near.target + 1, off_beam_text(near, scene.options.profile));
   if (far.target != near.target)
     text += fmt::format("    target {}: {}\n", far.target + 1, off_beam_text(far, scene.options.profile));

@@ -19,7 +19,7 @@ void write_echoes(core::JsonWriter& json, const simulate::EchoSummary& summary);
 /// How far a target is off the beam at its best pulse, and what that costs: "0.2 deg in azimuth and 1.1 deg in
 /// elevation off the beam (-0.8 dB)". Positive to the right of the beam and above it; magnitudes in the profile
 /// classic, whose antennas take no signs.
-[[nodiscard]] std::string off_beam_text(const simulate::TargetSight& sight, scene::Profile profile);
+[[nodiscard]] std::string off_beam_text(const simulate::TargetVisibility& sight, scene::Profile profile);
 
 /// A power ratio as "12.3 dB"; "none" for 0.
 [[nodiscard]] std::string decibel_text(double ratio);

@@ -89,7 +89,7 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
     if (usable.first_s > needed.first_s || usable.last_s < needed.last_s) continue;
     if (const auto gap = gap_within(times_s, needed))
       return refuse(path_problem(fmt::format("the attitudes of {} have a gap", platform.attitude_file),
-                                 said_times(*gap, axes), "attitudes evenly spaced over the recordings",
+                                 typed_times(*gap, axes), "attitudes evenly spaced over the recordings",
                                  no_way_over_gaps));
     auto read = std::make_shared<scene::ReadAttitude>();
     read->usable = usable;
@@ -125,8 +125,8 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
   const std::string who = one ? platform.attitude_file : fmt::format("no segment of {}", platform.attitude_file);
   return refuse(
       path_problem(fmt::format("{} {} the recordings", who, one ? "does not cover" : "covers"),
-                   one ? said_times(all, axes) : fmt::format("{} segments, {}", spans.size(), said_times(all, axes)),
-                   said_times(needed, axes), "change the epoch or the times of the recordings, or take another file"));
+                   one ? typed_times(all, axes) : fmt::format("{} segments, {}", spans.size(), typed_times(all, axes)),
+                   typed_times(needed, axes), "change the epoch or the times of the recordings, or take another file"));
 }
 
 std::string world_key(const scene::Scene& scene) {

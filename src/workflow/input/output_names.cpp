@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/os/output_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/format/envi.hpp"
 #include "raster/format/recording_hints.hpp"
 #include "raster/format/zarr_store.hpp"
@@ -167,9 +167,9 @@ std::optional<std::size_t> simulation_that_writes(const fs::path& file, const sc
   };
   const auto [found, names] = alike({});
   if (found.found.size() > 1 && !found.whole)
-    throw core::Refused(fmt::format("'{}' could come from {} or from {}", file.filename().string(),
-                                    names[found.found[0]], names[found.found[1]]),
-                        hint);
+    throw core::InvalidRequest(fmt::format("'{}' could come from {} or from {}", file.filename().string(),
+                                           names[found.found[0]], names[found.found[1]]),
+                               hint);
   if (!found.found.empty()) return found.found.front();
   const auto with_format = alike(raster::format_from_path(file)).first;
   if (with_format.found.empty() || !with_format.whole) return std::nullopt;
@@ -186,10 +186,11 @@ RunOutput run_output(const fs::path& out) {
 void expect_output_folder(const fs::path& out) {
   if (fs::is_directory(out)) return;
   if (fs::exists(out))
-    throw core::Refused("'" + out.string() + "' is not a folder", "name a folder with --out; it is made when missing");
+    throw core::InvalidRequest("'" + out.string() + "' is not a folder",
+                               "name a folder with --out; it is made when missing");
   if (out.has_filename() && raster::format_from_path(out))
-    throw core::Refused(fmt::format("--out takes a folder, and '{}' is the name of a file", out.string()),
-                        "name a folder; the files in it have the names that the scene gives them");
+    throw core::InvalidRequest(fmt::format("--out takes a folder, and '{}' is the name of a file", out.string()),
+                               "name a folder; the files in it have the names that the scene gives them");
 }
 
 fs::path chosen_folder(const fs::path& out) { return out == "." ? fs::path() : out; }
@@ -213,7 +214,7 @@ void expect_free_outputs(const std::vector<fs::path>& paths, const OutputCare& c
     problems.back().hint = path.extension() == ".hdr" ? "the header of an image has this ending; name the image .img"
                                                       : "give each of them a name of its own";
   }
-  if (!problems.empty()) throw core::Refused(std::move(problems));
+  if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
 }
 
 void expect_free_outputs(const std::vector<fs::path>& paths, const fs::path& source, bool force) {

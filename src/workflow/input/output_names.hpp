@@ -35,7 +35,7 @@ struct OutputNames {
 /// The simulation of a scene that writes a file of this name (`output_names`), ignoring its folder and case; otherwise
 /// the one that writes it with another extension; otherwise the one that `--format` gives this name. Nothing where none
 /// does.
-/// @param hint  what to do where several could have written it, which is core::Refused
+/// @param hint  what to do where several could have written it, which is core::InvalidRequest
 [[nodiscard]] std::optional<std::size_t> simulation_that_writes(const std::filesystem::path& file,
                                                                 const scene::Scene& scene, const std::string& hint);
 
@@ -63,11 +63,12 @@ struct RunOutput {
 /// Zarr store of this program; every other name is that of a folder, whether it exists or not.
 [[nodiscard]] RunOutput run_output(const std::filesystem::path& out);
 
-/// Throws core::Refused where --out names no folder: a file, or what has the name of a recording and is not there.
+/// Throws core::InvalidRequest where --out names no folder: a file, or what has the name of a recording and is not
+/// there.
 void expect_output_folder(const std::filesystem::path& out);
 
-/// Throws core::Refused with everything that keeps files from being made: `problems_of_output` of each, and names that
-/// two of them have.
+/// Throws core::InvalidRequest with everything that keeps files from being made: `problems_of_output` of each, and
+/// names that two of them have.
 void expect_free_outputs(const std::vector<std::filesystem::path>& paths, const OutputCare& care);
 /// The same of outputs that are made from one file and named by --out.
 void expect_free_outputs(const std::vector<std::filesystem::path>& paths, const std::filesystem::path& source,

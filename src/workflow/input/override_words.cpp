@@ -1,6 +1,6 @@
 #include "workflow/input/override_words.hpp"
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "core/text/shell_word.hpp"
 #include "workflow/input/recording_options.hpp"
@@ -28,7 +28,7 @@ SceneOverrides overrides_from_words(const std::string& line) {
   const OptionTable<SceneOverrides> table = scene_override_options();
   SceneOverrides overrides;
   const TakenProblems problems = table.take_words(given_words(table.options(), words_of_line(line)), overrides);
-  if (!problems.empty()) throw core::Refused(problems.early);
+  if (!problems.empty()) throw core::InvalidRequest(problems.early);
   return overrides;
 }
 

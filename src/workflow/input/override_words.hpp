@@ -10,7 +10,7 @@ namespace sarsim::workflow {
 /// format of files is left out.
 [[nodiscard]] std::string words_of_overrides(const SceneOverrides& overrides);
 
-/// Reads such a line. Throws core::Refused where it says something else.
+/// Reads such a line. Throws core::InvalidRequest where it says something else.
 [[nodiscard]] SceneOverrides overrides_from_words(const std::string& line);
 
 }  // namespace sarsim::workflow

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 
 namespace sarsim::workflow::override_words_test {
 
@@ -28,7 +28,7 @@ TEST(OverrideWords, LeadBackToTheSameOverrides) {
 
 TEST(OverrideWords, AreNothingElse) {
   for (const char* line : {"--out x", "--seed -1", "--pulse square", "--set", "'"})
-    EXPECT_THROW(static_cast<void>(overrides_from_words(line)), core::Refused) << line;
+    EXPECT_THROW(static_cast<void>(overrides_from_words(line)), core::InvalidRequest) << line;
 }
 
 }  // namespace sarsim::workflow::override_words_test

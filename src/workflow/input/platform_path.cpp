@@ -95,7 +95,7 @@ class PathMaker {
     const radar::OrbitState start = scene::inertial_state_of(platform_);
     if (!std::isfinite(core::norm(start.position_m) + core::norm(start.velocity_mps))) return nullptr;  // `check`
     if (height_of(start.position_m) < 0.0)
-      return refuse(path_problem("the state of the orbit is inside the Earth", said_height(start.position_m),
+      return refuse(path_problem("the state of the orbit is inside the Earth", typed_height(start.position_m),
                                  "a position outside it", "it counts from the centre of the Earth"));
     const double farthest_s = std::max(std::abs(needed_.first_s), std::abs(needed_.last_s));
     if (farthest_s > farthest_from_state_s)
@@ -111,7 +111,7 @@ class PathMaker {
       const bool needed = times_s[i] >= needed_.first_s && times_s[i] <= needed_.last_s;
       if (needed && height_of(state.position_m) < 0.0)
         return refuse(path_problem("the orbit meets the ground within the recordings",
-                                   fmt::format("{} at {:.0f} s", said_height(state.position_m), times_s[i]),
+                                   fmt::format("{} at {:.0f} s", typed_height(state.position_m), times_s[i]),
                                    "a state that stays outside the Earth", counts_over_earth));
       add(samples, times_s[i], axes_.from_ecef(state), true);
     }
@@ -132,7 +132,7 @@ class PathMaker {
   }
 
   static double height_of(const core::Vec3& ecef_m) { return radar::geodetic_of(ecef_m).height_m; }
-  static std::string said_height(const core::Vec3& ecef_m) {
+  static std::string typed_height(const core::Vec3& ecef_m) {
     return fmt::format("{:.3f} km above the ellipsoid", 1e-3 * height_of(ecef_m));
   }
 
@@ -227,7 +227,7 @@ class PathMaker {
     return std::nullopt;
   }
 
-  [[nodiscard]] std::string said(const radar::TimeSpan& span) const { return said_times(span, axes_); }
+  [[nodiscard]] std::string said(const radar::TimeSpan& span) const { return typed_times(span, axes_); }
 
   bool expect_epoch(std::string_view first) {
     if (axes_.epoch()) return true;
@@ -408,7 +408,7 @@ core::Problem path_problem(std::string message, std::string found, std::string e
                           std::move(hint));
 }
 
-std::string said_times(const radar::TimeSpan& span, const WorldAxes& axes) {
+std::string typed_times(const radar::TimeSpan& span, const WorldAxes& axes) {
   if (!axes.epoch()) return fmt::format("{:.3f} s to {:.3f} s", span.first_s, span.last_s);
   const auto date = [&](double time_s) {
     return radar::format_instant(radar::later(*axes.epoch(), time_s), radar::TimeScale::utc, 3);

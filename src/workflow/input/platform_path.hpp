@@ -24,7 +24,7 @@ struct FileText {
                                          std::string hint = {});
 
 /// Times of the scene, as seconds and, where there is an epoch, as dates.
-[[nodiscard]] std::string said_times(const radar::TimeSpan& span, const WorldAxes& axes);
+[[nodiscard]] std::string typed_times(const radar::TimeSpan& span, const WorldAxes& axes);
 
 /// The path of one platform that is an orbit (`scene::is_orbit`), in the scene's world; null where there is none, which
 /// a problem says.

@@ -13,7 +13,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/os/input_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "core/text/quoted_word.hpp"
@@ -43,7 +43,7 @@ namespace {
 void take(core::Problems& all, core::Problems more) { std::ranges::move(more, std::back_inserter(all)); }
 
 void expect_sound(core::Problems problems) {
-  if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
+  if (core::has_errors(problems)) throw core::InvalidRequest(core::ranked(std::move(problems)));
 }
 
 // The simulation that is named, or else the first that suits, or else the first.
@@ -51,15 +51,16 @@ void expect_sound(core::Problems problems) {
 std::size_t simulation_of_scene(const scene::Scene& scene, const std::string& script,
                                 std::optional<std::int64_t> wanted, const Suits& suits) {
   if (scene.simulations.empty()) {
-    core::Refused none("the scene says nothing of what is recorded", "add a [[recording]]; in a .scr, a $SIMULATION");
+    core::InvalidRequest none("the scene says nothing of what is recorded",
+                              "add a [[recording]]; in a .scr, a $SIMULATION");
     none.problems.front().place.file = script;
     throw none;
   }
   if (wanted) {
     const auto number = static_cast<std::size_t>(*wanted);
     if (number >= 1 && number <= scene.simulations.size()) return number - 1;
-    throw core::Refused(fmt::format("--simulation: the scene has no recording {}", number),
-                        fmt::format("it has {}", scene.simulations.size()));
+    throw core::InvalidRequest(fmt::format("--simulation: the scene has no recording {}", number),
+                               fmt::format("it has {}", scene.simulations.size()));
   }
   const auto first =
       std::ranges::find_if(scene.simulations, [&](const scene::Simulation& s) { return suits(scene, s); });
@@ -73,7 +74,8 @@ std::size_t simulation_of_file(const scene::Scene& scene, const RecordingArgumen
     const fs::path file(arguments.path);
     if (const auto found = simulation_that_writes(file, scene, hint)) return *found;
     if (scene.simulations.size() > 1)
-      throw core::Refused(fmt::format("no simulation of the script writes '{}'", file.filename().string()), hint);
+      throw core::InvalidRequest(fmt::format("no simulation of the script writes '{}'", file.filename().string()),
+                                 hint);
   }
   const std::string& script = arguments.script.empty() ? arguments.path : arguments.script;
   return simulation_of_scene(scene, script, arguments.simulation, suits);
@@ -81,7 +83,7 @@ std::size_t simulation_of_file(const scene::Scene& scene, const RecordingArgumen
 
 scene::Scene scene_of_script(const RecordingArguments& arguments, StoredRecording& recording,
                              const core::WorkControl& control) {
-  SceneInput input = read_scene(arguments.script, arguments.overrides, Scrutiny::values, control);
+  SceneInput input = read_scene(arguments.script, arguments.overrides, CheckLevel::values, control);
   expect_usable(input);
   take(recording.problems, std::move(input.problems));
   recording.of_files = std::move(input.of_files);
@@ -94,8 +96,8 @@ scene::Scene scene_in_file(const std::string& path, const raster::RasterInfo& in
                            const core::WorkControl& control) {
   const auto script = std::ranges::find(info.attributes, "script", [](const auto& pair) { return pair.first; });
   if (script == info.attributes.end() || script->second.empty())
-    throw core::Refused(fmt::format("'{}' does not say how it was recorded", path),
-                        "give the script that wrote it with --script");
+    throw core::InvalidRequest(fmt::format("'{}' does not say how it was recorded", path),
+                               "give the script that wrote it with --script");
   scene::ScriptReading reading = read_carried_script(script->second, path);
   expect_sound(std::move(reading.problems));
   core::Problems of_clouds = without_quotes(read_files_of(reading.scene, fs::path(path).parent_path(), control));
@@ -116,8 +118,9 @@ void expect_no_overrides(const RecordingArguments& arguments) {
       {"--targets", !overrides.targets.empty()},        {"--set", !overrides.settings.empty()}};
   for (const auto& [option, there] : given)
     if (there)
-      throw core::Refused(fmt::format("{} means nothing for '{}', which was recorded already", option, arguments.path),
-                          "leave it out, or give the script that it applies to with --script");
+      throw core::InvalidRequest(
+          fmt::format("{} means nothing for '{}', which was recorded already", option, arguments.path),
+          "leave it out, or give the script that it applies to with --script");
 }
 
 struct OpenedFile {
@@ -126,16 +129,17 @@ struct OpenedFile {
 };
 
 [[noreturn]] void refuse_image(const std::string& path, const std::string& says) {
-  throw core::Refused(fmt::format("'{}' is a focused image, as its {} says, not a recording", path, says),
-                      fmt::format("sarsim measure {0} measures it, sarsim plot {0} -o FILE.png draws it; or name the "
-                                  "scene or the recording that it was made from",
-                                  path));
+  throw core::InvalidRequest(
+      fmt::format("'{}' is a focused image, as its {} says, not a recording", path, says),
+      fmt::format("sarsim measure {0} measures it, sarsim plot {0} -o FILE.png draws it; or name the "
+                  "scene or the recording that it was made from",
+                  path));
 }
 
 OpenedFile opened(const std::string& path, const raster::RasterHints& hints, core::Problems& problems,
                   const core::StopFlag* stop) {
   raster::OpenedRaster result = raster::open_raster(raster::Integrity::whole, path, hints, stop);
-  if (!result.raster) throw core::Refused(core::ranked(std::move(result.problems)));
+  if (!result.raster) throw core::InvalidRequest(core::ranked(std::move(result.problems)));
   const raster::RasterInfo& info = result.raster->info();
   if (!raster::attribute_of(info.attributes, "image_plane").empty()) refuse_image(path, "field image_plane");
   if (info.format == &raster::sicd_format()) refuse_image(path, "format SICD");
@@ -153,9 +157,10 @@ raster::RasterHints hints_of(const simulate::Acquisition& acquisition) {
 
 void expect_shape(const raster::Raster& file, const simulate::Acquisition& acquisition, const std::string& path) {
   if (file.rows() == acquisition.timing.rows && file.columns() == acquisition.reception.columns) return;
-  throw core::Refused(fmt::format("'{}' has {} rows of {} samples, but the script's simulation makes {} of {}", path,
-                                  file.rows(), file.columns(), acquisition.timing.rows, acquisition.reception.columns),
-                      "name the script and the simulation that wrote it with --script and --simulation");
+  throw core::InvalidRequest(
+      fmt::format("'{}' has {} rows of {} samples, but the script's simulation makes {} of {}", path, file.rows(),
+                  file.columns(), acquisition.timing.rows, acquisition.reception.columns),
+      "name the script and the simulation that wrote it with --script and --simulation");
 }
 
 // Compares what a file says of itself with its scene, which is what counts: a file that says something else was
@@ -233,7 +238,7 @@ class Comparison {
         core::problem_of(core::Severity::error, "processing of the file is not that of its script",
                          core::quoted_word(found), expected, "give the scene that wrote it with --script");
     problem.place.file = file_.info().path.string();
-    throw core::Refused({std::move(problem)});
+    throw core::InvalidRequest({std::move(problem)});
   }
 
   // To a thousandth of a wavelength, which is what focusing needs, and what rounding leaves of large numbers.
@@ -289,7 +294,7 @@ void expect_usable_row(const std::string& name, std::size_t row, std::span<const
   const auto bad = std::ranges::find_if_not(values, raster::is_usable_sample);
   if (bad == values.end()) return;
   const auto column = static_cast<std::size_t>(bad - values.begin());
-  throw core::Refused({raster::unusable_sample(name, row, column, *bad)});
+  throw core::InvalidRequest({raster::unusable_sample(name, row, column, *bad)});
 }
 
 core::SampleRows<double> rows_of(std::shared_ptr<const raster::Raster> file, double scale) {
@@ -308,7 +313,7 @@ StoredRecording held_recording(const RecordingArguments& arguments, const Suits&
                                const core::StopFlag* stop) {
   expect_no_overrides(arguments);
   if (!arguments.script.empty())
-    throw core::Refused("--script is for files of samples", "a recording in memory has its scene with it");
+    throw core::InvalidRequest("--script is for files of samples", "a recording in memory has its scene with it");
   const SceneInput& input = arguments.held->input;
   StoredRecording recording;
   recording.scene = input.scene;
@@ -321,10 +326,10 @@ StoredRecording held_recording(const RecordingArguments& arguments, const Suits&
   expect_sound(recording.problems);
   const core::SampleRows<double>& rows = *arguments.held->rows;
   if (rows.rows != recording.acquisition->timing.rows || rows.columns != recording.acquisition->reception.columns)
-    throw core::Refused(fmt::format("'{}' has {} rows of {} samples, but the scene's simulation makes {} of {}",
-                                    arguments.path, rows.rows, rows.columns, recording.acquisition->timing.rows,
-                                    recording.acquisition->reception.columns),
-                        "give all rows of the recording that was planned");
+    throw core::InvalidRequest(fmt::format("'{}' has {} rows of {} samples, but the scene's simulation makes {} of {}",
+                                           arguments.path, rows.rows, rows.columns, recording.acquisition->timing.rows,
+                                           recording.acquisition->reception.columns),
+                               "give all rows of the recording that was planned");
   recording.rows = {rows.rows, rows.columns,
                     [rows, name = arguments.path](std::size_t row, std::span<std::complex<double>> out) {
                       rows.read(row, out);
@@ -355,7 +360,7 @@ scene::ScriptReading read_carried_script(const std::string& script, const std::s
         core::Severity::error, "the script in the file includes other files", {}, "a script that is complete",
         "record it again: what is recorded holds all that was included; or give its scene with --script");
     problem.place.file = name;
-    throw core::Refused({std::move(problem)});
+    throw core::InvalidRequest({std::move(problem)});
   }
   scene::ScriptReading reading = scene::read_scene_text(script, name, scene::disk_loader(fs::path(path).parent_path()));
   for (core::Problem& problem : reading.problems)
@@ -406,12 +411,13 @@ bool records_pulses(const scene::Scene& /*scene*/, const scene::Simulation& simu
 ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& suits,
                               const core::WorkControl& control) {
   if (!arguments.script.empty())
-    throw core::Refused("--script is for files of samples", "a script needs no other script");
+    throw core::InvalidRequest("--script is for files of samples", "a script needs no other script");
   if (!arguments.dataset.empty())
-    throw core::Refused("--dataset is for HDF5 files of samples", "leave it out: the echoes of a script are computed");
+    throw core::InvalidRequest("--dataset is for HDF5 files of samples",
+                               "leave it out: the echoes of a script are computed");
   ScriptedRecording recording{
-      arguments.held ? check_again(arguments.held->input, Scrutiny::echoes, control, {}, arguments.overrides)
-                     : read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control)};
+      arguments.held ? check_again(arguments.held->input, CheckLevel::echoes, control, {}, arguments.overrides)
+                     : read_scene(arguments.path, arguments.overrides, CheckLevel::echoes, control)};
   expect_usable(recording.input);
   recording.simulation = simulation_of_scene(recording.input.scene, arguments.path, arguments.simulation, suits);
   return recording;

@@ -38,8 +38,8 @@ struct RecordingArguments {
 /// opened.
 [[nodiscard]] std::vector<std::filesystem::path> named_sources(const RecordingArguments& arguments);
 
-/// Reads the script inside a file of samples. Throws core::Refused if it includes files; the data files that it names
-/// are read, but problems quote nothing of their contents, since whoever made the recording chose them.
+/// Reads the script inside a file of samples. Throws core::InvalidRequest if it includes files; the data files that it
+/// names are read, but problems quote nothing of their contents, since whoever made the recording chose them.
 /// @param path  of the file, beside which data files are looked for
 [[nodiscard]] scene::ScriptReading read_carried_script(const std::string& script, const std::string& path);
 
@@ -63,11 +63,11 @@ struct ScriptedRecording {
 
 /// Refuses a focused image that has a header beside it, and that header; of other files that are images opening says
 /// so.
-/// @throws core::Refused
+/// @throws core::InvalidRequest
 void expect_no_image(const std::string& path);
 
-/// Reads the script of the arguments and finds the simulation. Throws core::Refused with all problems where the script
-/// cannot be simulated or has no such simulation.
+/// Reads the script of the arguments and finds the simulation. Throws core::InvalidRequest with all problems where the
+/// script cannot be simulated or has no such simulation.
 [[nodiscard]] ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& suits,
                                             const core::WorkControl& control);
 
@@ -84,7 +84,8 @@ struct StoredRecording {
 };
 
 /// Opens the file of the arguments; its script is the one that it carries or that they name, its simulation the one
-/// that they name or that writes a file of that name. Throws core::Refused where script and file do not fit each other.
+/// that they name or that writes a file of that name. Throws core::InvalidRequest where script and file do not fit each
+/// other.
 /// @param problems_of  what prevents the plan, asked before the samples are opened; errors end it
 [[nodiscard]] StoredRecording open_recording(
     const RecordingArguments& arguments, const Suits& suits,

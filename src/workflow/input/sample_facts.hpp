@@ -23,7 +23,7 @@ struct SampleFacts {
 /// Reads the header of a file of samples, and of a long text its beginning; for statistics the whole file once, in
 /// bounded memory.
 /// @param observer  hears warnings about the file
-/// @throws core::Refused where it cannot be read, core::Interrupted when stopped
+/// @throws core::InvalidRequest where it cannot be read, core::Interrupted when stopped
 [[nodiscard]] SampleFacts facts_of_samples(const std::string& path, const SampleArguments& sample, bool statistics,
                                            const core::Observer& observer);
 

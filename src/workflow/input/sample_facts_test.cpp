@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 
 namespace sarsim::workflow {
 namespace sample_facts_test {
@@ -72,8 +72,8 @@ TEST_F(FactsOfSamples, EndWhereTheyAreStoppedOrRefused) {
   EXPECT_THROW(static_cast<void>(facts_of_samples(file_.string(), {}, true, observer)), core::Interrupted);
   SampleArguments said;
   said.lsb_v = -1.0;
-  EXPECT_THROW(static_cast<void>(facts_of_samples(file_.string(), said, false, {})), core::Refused);
-  EXPECT_THROW(static_cast<void>(facts_of_samples(file_.string() + ".none", {}, false, {})), core::Refused);
+  EXPECT_THROW(static_cast<void>(facts_of_samples(file_.string(), said, false, {})), core::InvalidRequest);
+  EXPECT_THROW(static_cast<void>(facts_of_samples(file_.string() + ".none", {}, false, {})), core::InvalidRequest);
 }
 
 }  // namespace sample_facts_test

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/table/formats.hpp"
 #include "simulate/plan/plan.hpp"
 #include "workflow/input/output_names.hpp"
@@ -49,22 +49,22 @@ std::size_t simulation_of(const scene::Scene& scene, const std::string& path, co
   if (choice.number) {
     if (*choice.number >= 1 && static_cast<std::size_t>(*choice.number) <= scene.simulations.size())
       return static_cast<std::size_t>(*choice.number) - 1;
-    throw core::Refused(fmt::format("--simulation: the scene has no recording {}", *choice.number),
-                        fmt::format("it has {}", scene.simulations.size()));
+    throw core::InvalidRequest(fmt::format("--simulation: the scene has no recording {}", *choice.number),
+                               fmt::format("it has {}", scene.simulations.size()));
   }
   const fs::path name = fs::path(path).filename();
   const auto found = simulation_that_writes(
       name, scene, "give the file the whole name that the scene has for it, or " + choice.other_ways());
   if (found) return *found;
-  throw core::Refused(fmt::format("no recording of {} writes '{}'", script, name.string()),
-                      ways_to_outputs(scene, choice));
+  throw core::InvalidRequest(fmt::format("no recording of {} writes '{}'", script, name.string()),
+                             ways_to_outputs(scene, choice));
 }
 
 // The simulation that writes a file.
 simulate::Acquisition recording_of(const std::string& path, const std::string& script, const Choice& choice,
                                    const core::Observer& observer) {
   const core::WorkControl control = observer.control(core::thread_count(0));
-  SceneInput input = read_scene(script, {}, Scrutiny::values, control);
+  SceneInput input = read_scene(script, {}, CheckLevel::values, control);
   expect_usable(input);
   observer.remarks(input.of_files);
   const std::size_t index = simulation_of(input.scene, path, script, choice);
@@ -95,13 +95,13 @@ raster::RasterHints hints_said(const std::string& path, const SampleArguments& a
   hints.dataset = arguments.dataset;
   if (arguments.bits) hints.bits = static_cast<int>(*arguments.bits);
   if (arguments.lsb_v) {
-    if (!(*arguments.lsb_v > 0.0)) throw core::Refused("--lsb must be above 0", "give the volts of one count");
+    if (!(*arguments.lsb_v > 0.0)) throw core::InvalidRequest("--lsb must be above 0", "give the volts of one count");
     if (!(*arguments.lsb_v <= largest_lsb_v))
-      throw core::Refused(
+      throw core::InvalidRequest(
           fmt::format("--lsb is too large; found {:g} V, expected at most {:g} V", *arguments.lsb_v, largest_lsb_v),
           "volts of samples are numbers of single precision, below 3.4e38");
     if (!(*arguments.lsb_v >= smallest_lsb_v))
-      throw core::Refused(
+      throw core::InvalidRequest(
           fmt::format("--lsb is too small; found {:g} V, expected at least {:g} V", *arguments.lsb_v, smallest_lsb_v),
           "volts of samples are numbers of single precision, from 1.2e-38 on");
     hints.lsb_v = *arguments.lsb_v;
@@ -131,7 +131,7 @@ simulate::Acquisition acquisition_of_file(const std::string& path, const std::st
 SampleFile open_samples(const std::string& path, const raster::RasterHints& hints, const core::Observer& observer,
                         raster::Integrity integrity) {
   raster::OpenedRaster opened = raster::open_raster(integrity, path, hints, observer.stop);
-  if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));
+  if (!opened.raster) throw core::InvalidRequest(core::ranked(std::move(opened.problems)));
   observer.remarks(core::ranked(std::move(opened.problems)));
   return {std::move(opened.raster), std::move(opened.axes)};
 }

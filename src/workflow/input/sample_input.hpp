@@ -22,8 +22,8 @@ struct SampleArguments {
 };
 
 /// The hints for a file: what is said of it, otherwise what the simulation of its script with that output
-/// name says. Throws core::Refused where the script has errors or no such simulation. The observer hears warnings about
-/// the files that the script names.
+/// name says. Throws core::InvalidRequest where the script has errors or no such simulation. The observer hears
+/// warnings about the files that the script names.
 [[nodiscard]] raster::RasterHints hints_for(const std::string& path, const SampleArguments& arguments,
                                             const core::Observer& observer);
 /// The same of a command that has --simulation, which its hints name.
@@ -32,7 +32,7 @@ struct SampleArguments {
                                             std::optional<std::int64_t> simulation, const core::Observer& observer);
 
 /// The simulation of a script that writes a file of this name: its times, carriers and ranges. Throws
-/// core::Refused like `hints_for`, and Interrupted where a stop is requested.
+/// core::InvalidRequest like `hints_for`, and Interrupted where a stop is requested.
 [[nodiscard]] simulate::Acquisition acquisition_of_file(const std::string& path, const std::string& script,
                                                         std::optional<std::int64_t> simulation = {},
                                                         const core::StopFlag* stop = nullptr);
@@ -43,7 +43,7 @@ struct SampleFile {
   std::optional<raster::RasterAxes> axes;  ///< Where opening it has read them.
 };
 
-/// Opens a file of samples; the observer hears its warnings. Throws core::Refused for errors.
+/// Opens a file of samples; the observer hears its warnings. Throws core::InvalidRequest for errors.
 [[nodiscard]] SampleFile open_samples(const std::string& path, const raster::RasterHints& hints,
                                       const core::Observer& observer,
                                       raster::Integrity integrity = raster::Integrity::whole);

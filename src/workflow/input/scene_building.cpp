@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/counted.hpp"
 #include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
@@ -37,7 +37,7 @@ scene::AnyObject new_object(scene::ObjectKind kind, const std::string& name) {
 
 scene::NamedField named_field(const SceneInput& input, const std::string& name, std::string_view value = "0") {
   scene::NamedField field = scene::find_named_field(input.scene, name, value);
-  if (field.field == nullptr) throw core::Refused(field.failure);
+  if (field.field == nullptr) throw core::InvalidRequest(field.failure);
   return field;
 }
 
@@ -164,20 +164,20 @@ void write_schema_of_singles(core::JsonWriter& json) {
 
 void expect_points(std::span<const double> positions_m, std::span<const double> rcs_m2) {
   if (positions_m.size() % 3 != 0 || (!rcs_m2.empty() && rcs_m2.size() != positions_m.size() / 3))
-    throw core::Refused("positions are three numbers for each point, cross-sections one");
+    throw core::InvalidRequest("positions are three numbers for each point, cross-sections one");
 }
 
 }  // namespace
 
 SceneInput empty_scene(const std::string& name) {
-  return read_scene_text("format = \"sarsim 2\"\n", name, {}, Scrutiny::reading);
+  return read_scene_text("format = \"sarsim 2\"\n", name, {}, CheckLevel::reading);
 }
 
 std::size_t add_object(SceneInput& input, scene::ObjectKind kind, const std::string& name) {
   const std::size_t index = scene::count_of(input.scene, kind);
   if (scene::is_named(kind) && !name.empty())
     if (const std::string objection = scene::name_objection(input.scene, {kind, index}, name); !objection.empty())
-      throw core::Refused(fmt::format("'{}': {}", name, objection));
+      throw core::InvalidRequest(fmt::format("'{}': {}", name, objection));
   scene::apply(scene::add_object(input.scene, new_object(kind, name)), input.scene);
   return index;
 }
@@ -214,17 +214,18 @@ double field_number(const SceneInput& input, const std::string& name) {
   const scene::NamedField field = named_field(input, name);
   const std::string text = scene::named_field_text(input.scene, field);
   if (const auto number = number_of(*field.field, text)) return *number;
-  throw core::Refused(fmt::format("{} is not a number; it is '{}'", name, text));
+  throw core::InvalidRequest(fmt::format("{} is not a number; it is '{}'", name, text));
 }
 
 void set_field_number(SceneInput& input, const std::string& name, double value) {
   const scene::NamedField field = named_field(input, name);
-  if (!std::isfinite(value)) throw core::Refused(fmt::format("{}: {} is not a finite number", name, value));
+  if (!std::isfinite(value)) throw core::InvalidRequest(fmt::format("{}: {} is not a finite number", name, value));
   if (field.field->kind == scene::FieldKind::check) {
     set_field_value(input, name, value != 0.0 ? "yes" : "no");
     return;
   }
-  if (field.field->kind != scene::FieldKind::quantity) throw core::Refused(fmt::format("{} is not a number", name));
+  if (field.field->kind != scene::FieldKind::quantity)
+    throw core::InvalidRequest(fmt::format("{} is not a number", name));
   std::string text = core::format_number(value);
   if (const std::string_view unit = unit_of(*field.field); !unit.empty()) text += fmt::format(" {}", unit);
   set_field_value(input, name, text);
@@ -234,19 +235,20 @@ void set_field_points(SceneInput& input, const std::string& name, std::span<cons
                       std::size_t count, core::Interpolation method) {
   const scene::NamedField field = named_field(input, name);
   if (field.field->kind != scene::FieldKind::function)
-    throw core::Refused(fmt::format("{} is not given by points", name));
+    throw core::InvalidRequest(fmt::format("{} is not given by points", name));
   const std::size_t functions = field.field->spec->block->count;
   const bool list = field.field->spec->block->x_ignored;
   if (count == 0 || y.size() != functions * count || (x.size() != count && !(list && x.empty())))
-    throw core::Refused(
+    throw core::InvalidRequest(
         fmt::format("{} takes {}, each with the same number of points", name, core::counted(functions, "function")),
         fmt::format("found {} and {}", core::counted(x.size(), "place"), core::counted(y.size(), "value")));
   for (std::size_t i = 1; i < x.size() && !list; ++i)
-    if (!(x[i] > x[i - 1])) throw core::Refused(fmt::format("{}: the places do not ascend at point {}", name, i + 1));
+    if (!(x[i] > x[i - 1]))
+      throw core::InvalidRequest(fmt::format("{}: the places do not ascend at point {}", name, i + 1));
   for (const scene::ObjectId id : field.objects) {
     scene::AnyObject object = scene::object_of(input.scene, id);
     if (!scene::field_applies(object, field.field->id))
-      throw core::Refused(fmt::format("{} does not apply with the present choices; change those first", name));
+      throw core::InvalidRequest(fmt::format("{} does not apply with the present choices; change those first", name));
     const scene::FunctionRef function = scene::function_tables::function_in(object, field.field->id);
     for (std::size_t f = 0; f < functions; ++f) {
       core::SampledFunction& part = function.parts[f];

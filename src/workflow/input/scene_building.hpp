@@ -18,7 +18,7 @@ namespace sarsim::workflow {
 /// Adds an object of a kind with the values that a new one has, at the end of its list.
 /// @param name  of a platform or radar, or the file of a simulation or geometry table; empty: one that is free
 /// @return its position
-/// @throws core::Refused for a name that cannot be given
+/// @throws core::InvalidRequest for a name that cannot be given
 std::size_t add_object(SceneInput& input, scene::ObjectKind kind, const std::string& name);
 
 /// Removes an object; with a platform goes what stands on it, with a radar what it records.
@@ -27,7 +27,7 @@ void remove_object(SceneInput& input, scene::ObjectId id);
 /// Adds targets on a platform. Takes a time that does not grow with those that are there.
 /// @param positions_m  x, y and z of each, in the platform's frame
 /// @param rcs_m2       of each; empty: 1 m2
-/// @throws core::Refused for numbers that cannot be computed with
+/// @throws core::InvalidRequest for numbers that cannot be computed with
 void add_targets(SceneInput& input, const std::string& platform, std::span<const double> positions_m,
                  std::span<const double> rcs_m2);
 
@@ -37,7 +37,7 @@ void add_cloud(SceneInput& input, const std::string& platform, const std::string
                std::span<const double> positions_m, std::span<const double> rcs_m2);
 
 /// The number that a field holds, in the unit that `schema_json` names: SI, but degrees and decibels; of a yes or no 1
-/// or 0. Throws core::Refused for a field that is not a number.
+/// or 0. Throws core::InvalidRequest for a field that is not a number.
 [[nodiscard]] double field_number(const SceneInput& input, const std::string& name);
 
 /// Sets it; throws like `set_field_value`.
@@ -47,8 +47,8 @@ void set_field_number(SceneInput& input, const std::string& name, double value);
 /// @param x  ascending; empty of lists, whose points have an order alone
 /// @param y  as many values for each function of the field, one function after the other, in the unit that the field's
 /// name ends in
-/// @throws core::Refused for a field that is not a function, another number of functions, x that does not ascend, and a
-/// field that does not apply
+/// @throws core::InvalidRequest for a field that is not a function, another number of functions, x that does not
+/// ascend, and a field that does not apply
 void set_field_points(SceneInput& input, const std::string& name, std::span<const double> x, std::span<const double> y,
                       std::size_t count, core::Interpolation method);
 

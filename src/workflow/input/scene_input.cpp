@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/check/check.hpp"
 #include "scene/check/check_motion.hpp"
@@ -210,7 +210,7 @@ scene::ReadControl read_control(const SceneOverrides& overrides, const core::Wor
   for (const std::string& word : overrides.let) {
     const std::size_t equals = std::min(word.find('='), word.size());
     if (equals == word.size())
-      throw core::Refused(fmt::format("--let {}: there is no '='", word), "write NAME=VALUE, as in speed=300");
+      throw core::InvalidRequest(fmt::format("--let {}: there is no '='", word), "write NAME=VALUE, as in speed=300");
     read.let.emplace_back(word.substr(0, equals), word.substr(equals + 1));
   }
   return read;
@@ -257,7 +257,7 @@ core::Problems warnings_by_look(const scene::Scene& scene, const std::filesystem
 
 // A scene with what its reader found, on its way to an input.
 SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& folder, const SceneOverrides& overrides,
-                     Scrutiny scrutiny, const core::WorkControl& control, const ChooseProducts& choose) {
+                     CheckLevel check_level, const core::WorkControl& control, const ChooseProducts& choose) {
   SceneInput input;
   input.scene = std::move(reading.scene);
   input.places = std::move(reading.places);
@@ -266,17 +266,17 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
   input.names = std::move(reading.names);
   apply(overrides, input.scene);
   core::Problems of_tables = add_targets(tables_of(overrides, input.scene), input.scene, control.stop);
-  if (core::has_errors(of_tables)) throw core::Refused(std::move(of_tables));
+  if (core::has_errors(of_tables)) throw core::InvalidRequest(std::move(of_tables));
   append(reading.problems, std::move(of_tables));
   if (!overrides.settings.empty() && !core::has_errors(reading.problems))
     if (core::Problems mistakes =
             problems_of_setting(overrides.settings, input.scene, scene::disk_points(folder), reading.problems);
         !mistakes.empty())
-      throw core::Refused(std::move(mistakes));
+      throw core::InvalidRequest(std::move(mistakes));
   core::Problems of_files = problems_in(data_files_of(input.scene, folder), reading.problems);
   core::Problems of_look;
-  if (scrutiny != Scrutiny::reading && !core::has_errors(reading.problems)) {
-    const bool keeps = scrutiny != Scrutiny::files;
+  if (check_level != CheckLevel::reading && !core::has_errors(reading.problems)) {
+    const bool keeps = check_level != CheckLevel::files;
     core::Problems read =
         keeps ? read_files_of(input.scene, folder, control) : warnings_by_look(input.scene, folder, control);
     if (!keeps) of_look = read;
@@ -285,7 +285,7 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
   }
   std::optional<WantedProducts> wanted;
   if (choose && !core::has_errors(reading.problems)) wanted = choose(input.scene);
-  if (scrutiny != Scrutiny::reading && scrutiny != Scrutiny::files) {
+  if (check_level != CheckLevel::reading && check_level != CheckLevel::files) {
     core::Problems found = without_objects_of(scene::check(input.scene, control), reading.problems, input.scene);
     if (core::has_errors(reading.problems))  // Files were not read then.
       std::erase_if(found, [](const core::Problem& p) { return p.message == scene::unread_motion; });
@@ -295,12 +295,12 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
     drop_warnings_of(found, reading.problems);
     append(reading.problems, std::move(found));
   }
-  if (scrutiny == Scrutiny::echoes && !core::has_errors(reading.problems)) {
+  if (check_level == CheckLevel::echoes && !core::has_errors(reading.problems)) {
     core::Problems of_echoes = problems_of_echoes(input, wanted, control);
     drop_windows_of_late_echoes(of_echoes, reading.problems);
     append(reading.problems, std::move(of_echoes));
   }
-  if (scrutiny == Scrutiny::echoes && !core::has_errors(reading.problems) && input.scene.simulations.empty() &&
+  if (check_level == CheckLevel::echoes && !core::has_errors(reading.problems) && input.scene.simulations.empty() &&
       input.scene.geometries.empty())
     reading.problems.push_back(nothing_asked(input.language));
   if (input.language == scene::Language::format_2) scene::say_in_format_2(reading.problems);
@@ -324,12 +324,12 @@ namespace {
 
 // What a reader found in a text, as an input with all files that belong to it.
 SceneInput input_of(scene::ScriptReading reading, const std::string& path, const SceneOverrides& overrides,
-                    Scrutiny scrutiny, const core::WorkControl& control, const ChooseProducts& choose) {
+                    CheckLevel check_level, const core::WorkControl& control, const ChooseProducts& choose) {
   std::vector<std::filesystem::path> sources{path};
   append(sources, std::move(reading.included));
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   append(sources, data_files_of(reading.scene, folder));
-  SceneInput input = looked_at(std::move(reading), folder, overrides, scrutiny, control, choose);
+  SceneInput input = looked_at(std::move(reading), folder, overrides, check_level, control, choose);
   append(sources, data_files_of(input.scene, folder));  // Those that settings name, too.
   for (TargetTable& table : tables_of(overrides, input.scene)) sources.push_back(std::move(table.file));
   input.sources = std::move(sources);
@@ -342,17 +342,17 @@ std::filesystem::path folder_of(const SceneInput& input) {
 
 }  // namespace
 
-SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
+SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, CheckLevel check_level,
                       const core::WorkControl& control, const ChooseProducts& choose) {
-  return input_of(scene::read_scene_file(path, read_control(overrides, control)), path, overrides, scrutiny, control,
+  return input_of(scene::read_scene_file(path, read_control(overrides, control)), path, overrides, check_level, control,
                   choose);
 }
 
 SceneInput read_scene_text(std::string_view text, const std::string& name, const SceneOverrides& overrides,
-                           Scrutiny scrutiny, const core::WorkControl& control) {
+                           CheckLevel check_level, const core::WorkControl& control) {
   const scene::DataFileLoader loader = scene::disk_loader(std::filesystem::path(name).parent_path());
   return input_of(scene::read_scene_text(text, name, loader, read_control(overrides, control)), name, overrides,
-                  scrutiny, control, {});
+                  check_level, control, {});
 }
 
 namespace {
@@ -369,10 +369,11 @@ core::Problems without(core::Problems problems, const core::Problems& some) {
 
 }  // namespace
 
-SceneInput check_again(const SceneInput& known, Scrutiny scrutiny, const core::WorkControl& control,
+SceneInput check_again(const SceneInput& known, CheckLevel check_level, const core::WorkControl& control,
                        const ChooseProducts& choose, const SceneOverrides& overrides) {
   if (!overrides.let.empty())
-    throw core::Refused("--let means nothing for a scene that was read already", "give the values when it is read");
+    throw core::InvalidRequest("--let means nothing for a scene that was read already",
+                               "give the values when it is read");
   scene::ScriptReading reading;
   reading.scene = known.scene;
   reading.problems = without(known.problems, known.of_look);
@@ -380,7 +381,7 @@ SceneInput check_again(const SceneInput& known, Scrutiny scrutiny, const core::W
   reading.language = known.language;
   reading.json = known.json;
   reading.names = known.names;
-  SceneInput input = looked_at(std::move(reading), folder_of(known), overrides, scrutiny, control, choose);
+  SceneInput input = looked_at(std::move(reading), folder_of(known), overrides, check_level, control, choose);
   input.sources = known.sources;
   append(input.sources, data_files_of(input.scene, folder_of(known)));
   return input;
@@ -388,7 +389,7 @@ SceneInput check_again(const SceneInput& known, Scrutiny scrutiny, const core::W
 
 std::string field_value(const SceneInput& input, const std::string& name) {
   const scene::NamedField field = scene::find_named_field(input.scene, name);
-  if (field.field == nullptr) throw core::Refused(field.failure);
+  if (field.field == nullptr) throw core::InvalidRequest(field.failure);
   return scene::named_field_text(input.scene, field);
 }
 
@@ -396,17 +397,17 @@ core::Problems set_field_value(SceneInput& input, const std::string& name, const
   core::Problems remarks;
   scene::Scene changed = input.scene;
   const std::string failure = failure_of_setting(name, value, changed, scene::disk_points(folder_of(input)), remarks);
-  if (!failure.empty()) throw core::Refused(fmt::format("{}: {}", name, failure));
+  if (!failure.empty()) throw core::InvalidRequest(fmt::format("{}: {}", name, failure));
   input.scene = std::move(changed);
   return remarks;
 }
 
 SceneInput take_scene(scene::Scene scene, const std::filesystem::path& folder, const SceneOverrides& overrides,
-                      Scrutiny scrutiny, const core::WorkControl& control, const ChooseProducts& choose) {
+                      CheckLevel check_level, const core::WorkControl& control, const ChooseProducts& choose) {
   scene::ScriptReading reading;
   reading.scene = std::move(scene);
   std::vector<std::filesystem::path> sources = data_files_of(reading.scene, folder);
-  SceneInput input = looked_at(std::move(reading), folder, overrides, scrutiny, control, choose);
+  SceneInput input = looked_at(std::move(reading), folder, overrides, check_level, control, choose);
   append(sources, data_files_of(input.scene, folder));  // Those that settings name, too.
   for (TargetTable& table : tables_of(overrides, input.scene)) sources.push_back(std::move(table.file));
   input.sources = std::move(sources);
@@ -416,7 +417,7 @@ SceneInput take_scene(scene::Scene scene, const std::filesystem::path& folder, c
 std::vector<std::filesystem::path> data_files_of(const scene::Scene& scene,
                                                  const std::filesystem::path& script_folder) {
   std::set<std::string> names;
-  const auto take = [&names](const scene::KeptObject& object) {
+  const auto take = [&names](const scene::SharedObject& object) {
     for (const scene::FunctionUse& use : scene::functions_of(object))
       if (!use.file->empty()) names.insert(*use.file);
   };
@@ -481,7 +482,7 @@ void expect_usable(const SceneInput& input, bool strict) {
   const auto fatal = [strict](const core::Problem& p) {
     return p.severity == core::Severity::error || (strict && p.severity == core::Severity::warning);
   };
-  if (std::ranges::any_of(input.problems, fatal)) throw core::Refused(input.problems);
+  if (std::ranges::any_of(input.problems, fatal)) throw core::InvalidRequest(input.problems);
 }
 
 std::size_t radar_named(const scene::Scene& scene, const std::string& name) {
@@ -491,8 +492,8 @@ std::size_t radar_named(const scene::Scene& scene, const std::string& name) {
   for (const scene::Radar& radar : scene.radars) names.push_back(radar.name);
   const std::string nearest = core::nearest_word(name, names);
   const std::string others = names.empty() ? "it defines none" : "its first is '" + names.front() + "'";
-  throw core::Refused("the scene has no radar '" + name + "'",
-                      nearest.empty() ? others : "did you mean '" + nearest + "'?");
+  throw core::InvalidRequest("the scene has no radar '" + name + "'",
+                             nearest.empty() ? others : "did you mean '" + nearest + "'?");
 }
 
 }  // namespace sarsim::workflow

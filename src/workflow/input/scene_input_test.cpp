@@ -15,7 +15,7 @@ namespace {
 std::string said(const std::string& text, const std::string& name = "scene.toml",
                  const SceneOverrides& overrides = {}) {
   std::string all;
-  for (const core::Problem& problem : read_scene_text(text, name, overrides, Scrutiny::echoes).problems)
+  for (const core::Problem& problem : read_scene_text(text, name, overrides, CheckLevel::echoes).problems)
     all += core::to_string(problem) + "\n";
   return all;
 }
@@ -75,7 +75,7 @@ TEST(SceneInput, TellsOfProfilesThatReadTablesDifferently) {
   classic.profile = scene::Profile::classic;
   EXPECT_EQ(count(said(text, "scene.toml", classic), words), 1U);
   const std::string script =
-      scene_text(read_scene_text(text, "scene.toml", {}, Scrutiny::values), scene::Language::script);
+      scene_text(read_scene_text(text, "scene.toml", {}, CheckLevel::values), scene::Language::script);
   EXPECT_EQ(count(said(script, "scene.scr"), words), 1U) << script;
   EXPECT_EQ(count(said(script, "scene.scr", classic), "warning: " + std::string(words)), 1U);
 }

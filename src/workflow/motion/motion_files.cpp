@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/os/output_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/ephemeris/interpolation_error.hpp"
 #include "scene/ephemeris/write_motion.hpp"
@@ -64,17 +64,17 @@ class AskedMotion {
 
 std::size_t platform_called(const scene::Scene& scene, const std::string& name) {
   if (name.empty() && scene.platforms.size() == 1) return 0;
-  if (name.empty()) throw core::Refused("the scene has several platforms", "name one with --platform");
+  if (name.empty()) throw core::InvalidRequest("the scene has several platforms", "name one with --platform");
   const std::size_t found = scene::find_platform(scene, name);
   if (found != scene::not_found) return found;
   if (const std::size_t radar = scene::find_radar(scene, name); radar != scene::not_found)
-    throw core::Refused(fmt::format("'{}' is a radar", name),
-                        fmt::format("name its platform: --platform {}", scene.radars[radar].platform));
+    throw core::InvalidRequest(fmt::format("'{}' is a radar", name),
+                               fmt::format("name its platform: --platform {}", scene.radars[radar].platform));
   std::vector<std::string> names;
   for (const scene::Platform& platform : scene.platforms) names.push_back(platform.name);
   const std::string nearest = core::nearest_word(name, names);
-  throw core::Refused(fmt::format("the scene has no platform '{}'", name),
-                      nearest.empty() ? "" : fmt::format("did you mean '{}'?", nearest));
+  throw core::InvalidRequest(fmt::format("the scene has no platform '{}'", name),
+                             nearest.empty() ? "" : fmt::format("did you mean '{}'?", nearest));
 }
 
 scene::Reconstruction reconstruction_of(MotionFormat format, const scene::Scene& scene) {
@@ -85,7 +85,7 @@ scene::Reconstruction reconstruction_of(MotionFormat format, const scene::Scene&
 
 template <class Value>
 Value sound(std::variant<Value, core::Problem> read) {
-  if (auto* const problem = std::get_if<core::Problem>(&read)) throw core::Refused({std::move(*problem)});
+  if (auto* const problem = std::get_if<core::Problem>(&read)) throw core::InvalidRequest({std::move(*problem)});
   return std::get<Value>(std::move(read));
 }
 
@@ -115,7 +115,7 @@ Sampling sampling_of(const MotionRequest& request, const AskedMotion& motion, sc
 }
 
 std::string text_of(scene::MotionText text, core::Problems& remarks) {
-  if (core::has_errors(text.problems)) throw core::Refused(core::ranked(std::move(text.problems)));
+  if (core::has_errors(text.problems)) throw core::InvalidRequest(core::ranked(std::move(text.problems)));
   std::ranges::move(text.problems, std::back_inserter(remarks));
   return std::move(text.text);
 }
@@ -162,11 +162,11 @@ Times times_of(const MotionRequest& request, const scene::Scene& scene) {
   const radar::TimeSpan needed = scene::needed_times(scene);
   const Times times{request.start_s.value_or(needed.first_s), request.end_s.value_or(needed.last_s)};
   if (!(times.first_s < times.last_s))
-    throw core::Refused(fmt::format("the times {} s to {} s are empty", core::format_number(times.first_s),
-                                    core::format_number(times.last_s)),
-                        scene.simulations.empty() && scene.geometries.empty()
-                            ? "give --start and --end: the scene has no recording"
-                            : "give --start and an --end behind it");
+    throw core::InvalidRequest(fmt::format("the times {} s to {} s are empty", core::format_number(times.first_s),
+                                           core::format_number(times.last_s)),
+                               scene.simulations.empty() && scene.geometries.empty()
+                                   ? "give --start and --end: the scene has no recording"
+                                   : "give --start and an --end behind it");
   return times;
 }
 
@@ -178,7 +178,7 @@ void read_for(const Times& times, scene::Scene& scene, const std::filesystem::pa
   table.time_end_s = times.last_s;
   scene.geometries = {table};
   core::Problems problems = read_motions(scene, folder);
-  if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
+  if (core::has_errors(problems)) throw core::InvalidRequest(core::ranked(std::move(problems)));
 }
 
 }  // namespace
@@ -196,11 +196,11 @@ std::optional<MotionFormat> motion_format_of(const std::string& file) {
 MotionReport write_motion(const MotionRequest& request, const core::WorkControl& control) {
   const auto format = motion_format_of(request.output);
   if (!format)
-    throw core::Refused(fmt::format("'{}' names no format of motion files", request.output),
-                        "end it with .csv, .oem, .aem (attitudes) or .txt (data file of a script)");
+    throw core::InvalidRequest(fmt::format("'{}' names no format of motion files", request.output),
+                               "end it with .csv, .oem, .aem (attitudes) or .txt (data file of a script)");
   if (request.spacing_s && !(*request.spacing_s > 0.0))
-    throw core::Refused("the spacing is not above 0 s", "leave --spacing out to have it chosen");
-  SceneInput input = read_scene(request.input, request.overrides, Scrutiny::values, control);
+    throw core::InvalidRequest("the spacing is not above 0 s", "leave --spacing out to have it chosen");
+  SceneInput input = read_scene(request.input, request.overrides, CheckLevel::values, control);
   expect_usable(input);
   expect_free_outputs({request.output}, {input.sources, request.force, "--out"});
   const std::size_t index = platform_called(input.scene, request.platform);
@@ -208,8 +208,8 @@ MotionReport write_motion(const MotionRequest& request, const core::WorkControl&
   const Times times = times_of(request, input.scene);
   read_for(times, input.scene, std::filesystem::path(request.input).parent_path());
   if (request.navigation && input.scene.platforms[index].navigation == scene::Platform::Navigation::none)
-    throw core::Refused(fmt::format("platform '{}' has no navigation", name),
-                        "write navigation = { type = \"ins\", ... }, or leave --navigation out");
+    throw core::InvalidRequest(fmt::format("platform '{}' has no navigation", name),
+                               "write navigation = { type = \"ins\", ... }, or leave --navigation out");
   const AskedMotion motion(input.scene, index, request.navigation);
   MotionReport report;
   report.platform = name;

@@ -49,8 +49,8 @@ struct MotionReport {
 };
 
 /// Writes how a platform moves, so that a reader of the file who interpolates as its format has it comes as near as
-/// asked for. Jitter, which is drawn anew for each pulse, is no motion and left out. core::Refused where the scene is
-/// not sound, the format cannot say it, or no spacing is close enough.
+/// asked for. Jitter, which is drawn anew for each pulse, is no motion and left out. core::InvalidRequest where the
+/// scene is not sound, the format cannot say it, or no spacing is close enough.
 [[nodiscard]] MotionReport write_motion(const MotionRequest& request, const core::WorkControl& control = {});
 
 /// A walking person as platforms of a scene.
@@ -65,7 +65,7 @@ struct WalkerRequest {
 };
 
 /// Writes 17 platforms, joints and ends of a skeleton, that move along given points, each with a target of 0.02 m2.
-/// core::Refused where nobody walks so.
+/// core::InvalidRequest where nobody walks so.
 void write_walker(const WalkerRequest& request);
 
 }  // namespace sarsim::workflow

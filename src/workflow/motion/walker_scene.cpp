@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/os/output_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/motion/walker.hpp"
 #include "scene/language/scene_writer.hpp"
@@ -31,8 +31,8 @@ scene::Scene scene_of(const WalkerRequest& request, const radar::WalkingBody& bo
   const double step_s = body.gait().cycle_s / points_per_cycle;
   const auto steps = static_cast<std::size_t>((request.end_s - request.start_s) / step_s) + 2;
   if (steps > max_points)
-    throw core::Refused("the walk is too long",
-                        fmt::format("at most {:.0f} s", step_s * static_cast<double>(max_points)));
+    throw core::InvalidRequest("the walk is too long",
+                               fmt::format("at most {:.0f} s", step_s * static_cast<double>(max_points)));
   scene.platforms.resize(radar::body_part_count);
   for (std::size_t part = 0; part < radar::body_part_count; ++part) {
     scene::Platform& platform = scene.platforms[part];
@@ -62,11 +62,12 @@ scene::Scene scene_of(const WalkerRequest& request, const radar::WalkingBody& bo
 
 void write_walker(const WalkerRequest& request) {
   if (!request.output.ends_with(".toml"))
-    throw core::Refused(fmt::format("'{}': a walker is a scene of format 2", request.output), "end it with .toml");
+    throw core::InvalidRequest(fmt::format("'{}': a walker is a scene of format 2", request.output),
+                               "end it with .toml");
   if (!(request.start_s < request.end_s))
-    throw core::Refused("the walk has no duration", "give an --end behind --start");
+    throw core::InvalidRequest("the walk has no duration", "give an --end behind --start");
   const radar::Walker walker = radar::walker_at(request.height_m, request.speed_mps);
-  if (const std::string fault = radar::fault_of(walker); !fault.empty()) throw core::Refused(fault, "");
+  if (const std::string fault = radar::fault_of(walker); !fault.empty()) throw core::InvalidRequest(fault, "");
   expect_free_outputs({request.output}, {{}, request.force, "--out"});
   const std::string text = scene::write_format_2(scene_of(request, radar::WalkingBody(walker)));
   core::OutputFile file(request.output, request.force);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "workflow/options/option.hpp"
 
 namespace sarsim::workflow {
@@ -16,7 +16,8 @@ namespace sarsim::workflow {
 /// An option and how its word gets into a request.
 template <class Request>
 struct RequestOption : Option {
-  /// Takes a word in which `mistake_in` finds nothing; throws core::Refused where it means nothing to the request.
+  /// Takes a word in which `mistake_in` finds nothing; throws core::InvalidRequest where it means nothing to the
+  /// request.
   std::function<void(Request&, const std::string&)> take;
 };
 
@@ -104,7 +105,7 @@ class OptionTable {
         if (!mistake_in(option, word->second).empty()) continue;
         try {
           option.take(request, word->second);
-        } catch (const core::Refused& refused) {
+        } catch (const core::InvalidRequest& refused) {
           std::ranges::copy(refused.problems, std::back_inserter(option.told_late ? problems.late : problems.early));
         }
       }

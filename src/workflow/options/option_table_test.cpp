@@ -26,8 +26,8 @@ OptionTable<Asked> table_of_asked() {
   part.number("--height", "M", "of the ground", &Part::height_m);
   OptionTable<Asked> table;
   table.text("--out", "OUT", "what to write", &Asked::output);
-  table.text("--never", "X", "", [](Asked&, const std::string& word) { throw core::Refused("no " + word); }).told_late =
-      true;
+  table.text("--never", "X", "", [](Asked&, const std::string& word) { throw core::InvalidRequest("no " + word); })
+      .told_late = true;
   table.include(part, &Asked::part);
   table.whole("--threads", 0, 64, "", &Asked::threads);
   table.choice<int>("--grid", {{"slant", 1}, {"ground", 2}}, "", &Asked::grid);

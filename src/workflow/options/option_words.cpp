@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 
 namespace sarsim::workflow {
 
@@ -56,7 +56,8 @@ std::vector<std::string> words_of_line(const std::string& line) {
     else
       words.back() += c;
   }
-  if (quote != '\0') throw core::Refused(fmt::format("a quote {} is not closed", quote), "add it where the word ends");
+  if (quote != '\0')
+    throw core::InvalidRequest(fmt::format("a quote {} is not closed", quote), "add it where the word ends");
   return words;
 }
 
@@ -80,7 +81,7 @@ GivenWords given_words(const std::vector<Option>& options, const std::vector<std
     if (option == options.end() && i + 1 < words.size() && !words[i + 1].starts_with("--")) ++i;
   }
   std::ranges::move(problems_with(options, given), std::back_inserter(problems));
-  if (!problems.empty()) throw core::Refused(std::move(problems));
+  if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
   return given;
 }
 

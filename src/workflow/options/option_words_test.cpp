@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 
 namespace sarsim::workflow::option_words_test {
 
@@ -17,7 +17,7 @@ std::vector<std::string> refusals(const std::vector<std::string>& words) {
   std::vector<std::string> told;
   try {
     static_cast<void>(given_words(options, words));
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     for (const core::Problem& problem : refused.problems) told.push_back(problem.message + "|" + problem.hint);
   }
   return told;
@@ -29,7 +29,7 @@ TEST(WordsOfLine, ArePartedBySpaceAndKeptTogetherByQuotes) {
   EXPECT_THAT(words_of_line(""), testing::IsEmpty());
   EXPECT_THAT(words_of_line("  --pfa 1e-4\t--out 'my \"own\" maps' \"it's\"--x '' "),
               testing::ElementsAre("--pfa", "1e-4", "--out", "my \"own\" maps", "it's--x", ""));
-  EXPECT_THROW(static_cast<void>(words_of_line("--out 'maps")), core::Refused);
+  EXPECT_THROW(static_cast<void>(words_of_line("--out 'maps")), core::InvalidRequest);
 }
 
 TEST(GivenWords, AreReadAsTheyAreTyped) {

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "simulate/plan/flight_test_scene.hpp"
 #include "workflow/record/record.hpp"
 
@@ -137,7 +137,7 @@ TEST_F(CloudRecording, FollowsTheCloudsOwnCrossSection) {
 
 TEST_F(CloudRecording, IsRefusedWithoutItsTable) {
   fs::remove(folder_ / "points.csv");
-  EXPECT_THROW((void)recorded(with_cloud(), simulate::Engine::automatic), core::Refused);
+  EXPECT_THROW((void)recorded(with_cloud(), simulate::Engine::automatic), core::InvalidRequest);
 }
 
 }  // namespace cloud_recording_test

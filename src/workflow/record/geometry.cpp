@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/check/check.hpp"
 #include "workflow/input/motion_input.hpp"
@@ -36,8 +36,8 @@ GeometrySource source_of(const GeometryRequest& request, const core::WorkControl
   const RecordingArguments& arguments = request.input;
   if (arguments.held ? !arguments.held->rows : arguments.script.empty() && holds_script(arguments.path)) {
     SceneInput input = arguments.held
-                           ? check_again(arguments.held->input, Scrutiny::values, control, {}, arguments.overrides)
-                           : read_scene(arguments.path, arguments.overrides, Scrutiny::values, control);
+                           ? check_again(arguments.held->input, CheckLevel::values, control, {}, arguments.overrides)
+                           : read_scene(arguments.path, arguments.overrides, CheckLevel::values, control);
     expect_usable(input);
     return {std::move(input.scene), {}, std::move(input.sources), std::move(input.of_files)};
   }
@@ -62,12 +62,12 @@ scene::GeometryTable whole_table(const std::string& radar, double start_s, doubl
 // The table that --radar, --start and --end describe.
 scene::GeometryTable described_table(const GeometryRequest& request, const scene::Scene& scene) {
   if (!request.start_s || !request.end_s)
-    throw core::Refused("a table of a radar needs --start and --end",
-                        "give the send times of its first and last pulse in s");
+    throw core::InvalidRequest("a table of a radar needs --start and --end",
+                               "give the send times of its first and last pulse in s");
   if (*request.end_s < *request.start_s)
-    throw core::Refused(fmt::format("--end {} lies before --start {}", core::format_number(*request.end_s),
-                                    core::format_number(*request.start_s)),
-                        "exchange them");
+    throw core::InvalidRequest(fmt::format("--end {} lies before --start {}", core::format_number(*request.end_s),
+                                           core::format_number(*request.start_s)),
+                               "exchange them");
   return whole_table(scene.radars[radar_named(scene, request.radar)].name, *request.start_s, *request.end_s);
 }
 
@@ -75,21 +75,21 @@ std::vector<scene::GeometryTable> chosen_tables(const GeometryRequest& request, 
   const scene::Scene& scene = source.scene;
   if (!request.radar.empty()) return {described_table(request, scene)};
   if (request.start_s || request.end_s)
-    throw core::Refused("--start and --end belong to a table of a radar", "name it with --radar");
+    throw core::InvalidRequest("--start and --end belong to a table of a radar", "name it with --radar");
   if (source.simulation && request.numbers.empty()) {
     const scene::Simulation& recorded = scene.simulations[*source.simulation];
     return {whole_table(recorded.radar, recorded.time_start_s, recorded.time_end_s)};
   }
   if (scene.geometries.empty())
-    throw core::Refused(request.input.path + ": the scene has no geometry table",
-                        "choose pulses with --radar, --start and --end");
+    throw core::InvalidRequest(request.input.path + ": the scene has no geometry table",
+                               "choose pulses with --radar, --start and --end");
   if (request.numbers.empty()) return scene.geometries;
   std::vector<scene::GeometryTable> tables;
   for (const std::string& word : request.numbers) {
     const auto number = core::parse_integer(word);
     if (!number || *number < 1 || *number > static_cast<std::int64_t>(scene.geometries.size()))
-      throw core::Refused(fmt::format("the scene has no geometry table '{}'", word),
-                          fmt::format("tables have the numbers 1 to {}", scene.geometries.size()));
+      throw core::InvalidRequest(fmt::format("the scene has no geometry table '{}'", word),
+                                 fmt::format("tables have the numbers 1 to {}", scene.geometries.size()));
     tables.push_back(scene.geometries[static_cast<std::size_t>(*number) - 1]);
   }
   return tables;
@@ -113,7 +113,7 @@ core::Problems expect_pulses(const scene::GeometryTable& table, scene::Scene& sc
   core::Problems problems = remarks;
   std::ranges::move(scene::check(scene), std::back_inserter(problems));
   std::erase_if(problems, [](const core::Problem& p) { return p.severity != core::Severity::error; });
-  if (!problems.empty()) throw core::Refused(std::move(problems));
+  if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
   return remarks;
 }
 

@@ -38,7 +38,7 @@ struct GeometryTables {
   core::Problems remarks;                      ///< Warnings about these files.
 };
 
-/// Finds the tables of a request; throws core::Refused where it cannot be met.
+/// Finds the tables of a request; throws core::InvalidRequest where it cannot be met.
 [[nodiscard]] GeometryTables geometry_tables(const GeometryRequest& request, const core::WorkControl& control = {});
 
 }  // namespace sarsim::workflow

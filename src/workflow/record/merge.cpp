@@ -8,7 +8,7 @@
 
 #include "core/os/output_file.hpp"
 #include "core/os/raw_file.hpp"
-#include "core/report/for_now.hpp"
+#include "core/report/retryable.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/format/sinks.hpp"
 #include "raster/parts/join_parts.hpp"
@@ -43,15 +43,15 @@ class Merger {
     const std::vector<fs::path> folders(request_.folders.begin(), request_.folders.end());
     expect_free_outputs({task.output}, {folders, request_.force, "-o"});
     if (core::Problems problems = problems_of_side_files(task.output); !problems.empty())
-      throw core::Refused(std::move(problems));
+      throw core::InvalidRequest(std::move(problems));
     for (const std::string& folder : request_.folders) collect(folder, task.journals);
     const fs::path product = raster::product_file_of(request_.folders.front());
     task.product = raster::load_product(product);
     if (core::Problems problems = raster::product_problems(task.product, product, task.journals.front());
         !problems.empty())
-      throw core::Refused(std::move(problems));
+      throw core::InvalidRequest(std::move(problems));
     if (core::Problems problems = raster::join_problems(task.journals, task.product.product.rows); !problems.empty())
-      throw core::Refused(std::move(problems));
+      throw core::InvalidRequest(std::move(problems));
     return {joined(task)};
   }
 
@@ -60,8 +60,8 @@ class Merger {
     if (!request_.output.empty()) return request_.output;
     const fs::path folder = fs::path(request_.folders.front() + "/").parent_path();
     if (folder.extension() != parts_extension)
-      throw core::Refused("'" + request_.folders.front() + "' is not a folder of parts",
-                          "such a folder is called NAME.parts; for another one give the output with -o");
+      throw core::InvalidRequest("'" + request_.folders.front() + "' is not a folder of parts",
+                                 "such a folder is called NAME.parts; for another one give the output with -o");
     return fs::path(folder).replace_extension();
   }
 
@@ -71,19 +71,19 @@ class Merger {
     const fs::path inside = fs::canonical(folder);
     const fs::path place = fs::weakly_canonical(fs::absolute(core::end_of_links(output)));
     if (std::mismatch(inside.begin(), inside.end(), place.begin(), place.end()).first == inside.end())
-      throw core::Refused(
+      throw core::InvalidRequest(
           fmt::format("the output '{}' is in the folder of parts '{}'", output.string(), folder.string()),
           "choose another place with -o");
   }
 
   void collect(const std::string& folder, std::vector<raster::Journal>& journals) {
     if (!fs::is_directory(folder))
-      throw core::Refused("there is no folder '" + folder + "'",
-                          "parts are in the folder NAME.parts beside their output");
+      throw core::InvalidRequest("there is no folder '" + folder + "'",
+                                 "parts are in the folder NAME.parts beside their output");
     const std::size_t before = journals.size();
     enter(folder, journals);
     if (journals.size() == before)
-      throw core::Refused("the folder '" + folder + "' holds no parts", "it has no journals");
+      throw core::InvalidRequest("the folder '" + folder + "' holds no parts", "it has no journals");
   }
 
   // Nobody may be at work on the parts while they are joined. Who holds the door lets nobody in, which takes one open
@@ -92,7 +92,7 @@ class Merger {
     close_door(folder);
     for (raster::Journal& journal : raster::read_journals(folder)) {
       if (!opened(journal.path).try_lock())
-        throw core::RefusedForNow(
+        throw core::RetryableError(
             fmt::format("part {} is still being made ({})", journal.head.part, journal.head.maker),
             "wait for it: the last part to finish completes the file");
       journals.push_back(std::move(journal));
@@ -112,7 +112,7 @@ class Merger {
   void close_door(const fs::path& folder) {
     for (const fs::path& other : closed_)
       if (fs::equivalent(folder, other))
-        throw core::Refused("the folder '" + folder.string() + "' is named twice", "name each folder once");
+        throw core::InvalidRequest("the folder '" + folder.string() + "' is named twice", "name each folder once");
     closed_.push_back(folder);
     if (!fs::exists(folder / "lock")) return;
     doors_.push_back(opened(folder / "lock"));

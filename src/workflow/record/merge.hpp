@@ -27,7 +27,7 @@ struct MergeReport {
 };
 
 /// Joins the parts of one recording, which may come from several folders, to its file: the bytes of a single run.
-/// @throws core::Refused where parts are missing, do not belong together, or are still being made
+/// @throws core::InvalidRequest where parts are missing, do not belong together, or are still being made
 /// @throws core::Interrupted when stopped; nothing is left behind
 [[nodiscard]] MergeReport merge(const MergeRequest& request, const core::Observer& observer);
 

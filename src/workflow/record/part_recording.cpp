@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/clock.hpp"
-#include "core/task/kept_interruption.hpp"
+#include "core/task/deferred_signal.hpp"
 #include "raster/format/sinks.hpp"
 #include "raster/format/zarr_store.hpp"
 #include "simulate/run/memory_sink.hpp"
@@ -88,7 +88,7 @@ class PartMaker {
     for (const std::string& difference : raster::differences(
              job_.identity, "on " + process_name(), std::get<raster::Journal>(leaders).head.identity, "on the first"))
       problems.push_back(problem("the processes differ: " + difference, "give all of them the same files and options"));
-    if (!problems.empty()) throw core::Refused(std::move(problems));
+    if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
   }
 
   [[nodiscard]] std::string process_name() const { return workshop_.team == nullptr ? "" : workshop_.team->name(); }
@@ -104,11 +104,12 @@ class PartMaker {
     std::error_code ignored;
     if (!std::filesystem::exists(job_.output, ignored)) return;
     if (!std::filesystem::is_regular_file(job_.output, ignored) && !raster::is_own_zarr_store(job_.output))
-      throw core::Refused({problem("parts can only become a file", "run without --part, --pulses and --resume")});
+      throw core::InvalidRequest(
+          {problem("parts can only become a file", "run without --part, --pulses and --resume")});
     const auto receipt = raster::read_receipt(job_.output, job_.product);
     if (!job_.choice.resume || !receipt) {
       if (job_.force) return;
-      throw core::Refused(
+      throw core::InvalidRequest(
           {problem("the output exists already", "replace it with --force, or choose another folder with --out")});
     }
     const auto changes = raster::differences(job_.identity, "now", receipt->identity, "in the file");
@@ -124,7 +125,7 @@ class PartMaker {
     for (const std::string& change : changes)
       problems.push_back(problem("the output is finished, but of another run: " + change,
                                  "replace it with --force, or choose another folder with --out"));
-    throw core::Refused(std::move(problems));
+    throw core::InvalidRequest(std::move(problems));
   }
 
   [[nodiscard]] core::Problem problem(std::string message, std::string hint) const {
@@ -241,7 +242,7 @@ PartReport make_part(const PartJob& job, const PartWorkshop& workshop) {
   try {
     return PartMaker(job, workshop).make();
   } catch (const core::Interrupted&) {
-    throw core::KeptInterruption(raster::parts_folder_of(job.output).string());
+    throw core::DeferredSignal(raster::parts_folder_of(job.output).string());
   }
 }
 

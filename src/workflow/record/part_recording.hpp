@@ -31,8 +31,8 @@ struct PartWorkshop {
 
 /// Makes a share of a recording in the folder OUTPUT.parts, and completes the recording where it was the last.
 ///
-/// Interrupted, or stopped by a failure, it keeps what is done; core::KeptInterruption then tells where.
-/// @throws core::Refused where what is there already does not fit
+/// Interrupted, or stopped by a failure, it keeps what is done; core::DeferredSignal then tells where.
+/// @throws core::InvalidRequest where what is there already does not fit
 [[nodiscard]] PartReport make_part(const PartJob& job, const PartWorkshop& workshop);
 
 }  // namespace sarsim::workflow

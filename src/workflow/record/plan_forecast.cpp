@@ -74,7 +74,7 @@ double PlanForecast::times_as_fast(unsigned workers) const {
 PlanForecast forecast_recordings(const PlanForecastRequest& request, const core::Observer& observer) {
   const core::WorkControl control = observer.control(core::thread_count(request.threads));
   const double begin_s = core::now_s();
-  SceneInput input = read_scene(request.script, request.overrides, Scrutiny::echoes, control);
+  SceneInput input = read_scene(request.script, request.overrides, CheckLevel::echoes, control);
   expect_usable(input);
   observer.remarks(input.problems);
   resolve_once(input, control);

@@ -57,7 +57,7 @@ struct PlanForecast {
 
 /// Reads a script and tries rows of each of its recordings, for about a second in all.
 /// @param observer  hears warnings about the script
-/// @throws core::Refused where the script cannot be simulated, core::Interrupted when stopped
+/// @throws core::InvalidRequest where the script cannot be simulated, core::Interrupted when stopped
 [[nodiscard]] PlanForecast forecast_recordings(const PlanForecastRequest& request, const core::Observer& observer);
 
 }  // namespace sarsim::workflow

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "scene/script/writer.hpp"
 #include "simulate/plan/flight_test_scene.hpp"
 #include "workflow/record/save_choice.hpp"
@@ -61,7 +61,7 @@ TEST(PlanForecast, TriesTheRecordingsOfAScript) {
   stopped.stop = &stop;
   EXPECT_THROW(static_cast<void>(forecast_recordings({script.string(), {}, 1}, stopped)), core::Interrupted);
   fs::remove(script);
-  EXPECT_THROW(static_cast<void>(forecast_recordings({script.string(), {}, 1}, {})), core::Refused);
+  EXPECT_THROW(static_cast<void>(forecast_recordings({script.string(), {}, 1}, {})), core::InvalidRequest);
 }
 
 }  // namespace plan_forecast_test

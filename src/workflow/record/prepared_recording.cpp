@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/os/disk_room.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/table/formats.hpp"
 #include "scene/language/recorded_text.hpp"
@@ -37,7 +37,7 @@ RecordingEstimate estimate_of(const simulate::Plan& plan, double bytes, bool cou
 PreparedRecording prepare_recording(const scene::Scene& scene, std::size_t simulation, std::filesystem::path file,
                                     raster::SinkOptions options, const core::StopFlag* stop) {
   const core::WorkControl control{core::thread_count(0), stop};
-  SceneInput input = take_scene(with_only(scene, simulation), {}, {}, Scrutiny::echoes, control);
+  SceneInput input = take_scene(with_only(scene, simulation), {}, {}, CheckLevel::echoes, control);
   expect_usable(input);
   resolve_once(input, control);
   PreparedRecording prepared{
@@ -62,7 +62,7 @@ RecordingReport make_recording(const PreparedRecording& prepared, const core::Ob
                     "or choose another folder");
   return make_recording({prepared.plan, prepared.file, prepared.options, prepared.script}, 0, observer);
 } catch (const simulate::ImpossibleEcho& error) {
-  throw core::Refused({error.problem});
+  throw core::InvalidRequest({error.problem});
 }
 
 }  // namespace sarsim::workflow

@@ -37,14 +37,14 @@ struct PreparedRecording {
 /// @param simulation  position in the scene's list
 /// @param options     of the file; its format is that of the simulation
 /// @param stop        null: cannot be stopped
-/// @throws core::Refused with all errors of the scene; core::Interrupted
+/// @throws core::InvalidRequest with all errors of the scene; core::Interrupted
 [[nodiscard]] PreparedRecording prepare_recording(const scene::Scene& scene, std::size_t simulation,
                                                   std::filesystem::path file, raster::SinkOptions options,
                                                   const core::StopFlag* stop = nullptr);
 
 /// Makes it, on all cores. The file appears when it is complete; stopped or failed, nothing is left behind. The scene's
 /// warnings are not in the report.
-/// @throws core::Refused for echoes that cannot be computed, std::runtime_error for a disk without room
+/// @throws core::InvalidRequest for echoes that cannot be computed, std::runtime_error for a disk without room
 /// @throws core::Interrupted
 [[nodiscard]] RecordingReport make_recording(const PreparedRecording& prepared, const core::Observer& observer);
 

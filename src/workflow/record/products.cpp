@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim::workflow {
@@ -37,7 +37,7 @@ bool is_called(const scene::Scene& scene, const ProductJob& job, const std::stri
                          ? "the scene has no recording"
                          : fmt::format("recordings have the numbers 1 to {}; their output names work as well", count);
   if (!nearest.empty()) hint = fmt::format("did you mean '{}'?", nearest);
-  throw core::Refused(fmt::format("the scene has no product '{}'", word), hint);
+  throw core::InvalidRequest(fmt::format("the scene has no product '{}'", word), hint);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct ProductJob {
 
 /// The products that `words` choose, in the script's order: numbers count simulations from 1, other words are output
 /// names of simulations or geometry tables (whole or base name, ignoring case). No words: all of them. Throws
-/// core::Refused for a word that chooses nothing.
+/// core::InvalidRequest for a word that chooses nothing.
 [[nodiscard]] std::vector<ProductJob> chosen_products(const scene::Scene& scene, const OutputNames& names,
                                                       const std::vector<std::string>& words);
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 
 namespace sarsim::workflow {
 namespace products_test {
@@ -55,12 +55,12 @@ TEST(Products, WordsThatChooseNothingAreRefusedWithTheNearestName) {
   try {
     (void)chosen({"frist.asc"});
     FAIL() << "accepted";
-  } catch (const core::Refused& error) {
+  } catch (const core::InvalidRequest& error) {
     ASSERT_EQ(error.problems.size(), 1U);
     EXPECT_EQ(error.problems[0].hint, "did you mean 'first.asc'?");
   }
   for (const char* word : {"0", "3", "-1", "nothing like it"})
-    EXPECT_THROW((void)chosen({word}), core::Refused) << word;
+    EXPECT_THROW((void)chosen({word}), core::InvalidRequest) << word;
 }
 
 }  // namespace products_test

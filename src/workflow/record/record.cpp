@@ -10,7 +10,7 @@
 
 #include "core/os/disk_room.hpp"
 #include "core/os/output_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/clock.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/number_text.hpp"
@@ -60,7 +60,7 @@ class Recorder {
       // Places are not kept during the run: those of a target take more memory than all else of it.
       if (!request_.scene) input_.places = scene::read_scene_file(request_.script, {work()}).places;
       take_problems({error.problem});
-      throw core::Refused({input_.problems.front()});
+      throw core::InvalidRequest({input_.problems.front()});
     }
     report_.problems = input_.problems;
     return std::move(report_);
@@ -79,16 +79,16 @@ class Recorder {
   void expect_partable() const {
     const PartChoice& part = request_.part;
     if (request_.team != nullptr && (part.share || part.span || part.own_file))
-      throw core::Refused("MPI distributes the pulses itself", "leave out --part, --pulses and --part-file");
+      throw core::InvalidRequest("MPI distributes the pulses itself", "leave out --part, --pulses and --part-file");
     if (request_.team != nullptr && request_.discard)
-      throw core::Refused("--discard writes nothing: there is nothing that processes could share",
-                          "measure with sarsim run --discard, of one process");
+      throw core::InvalidRequest("--discard writes nothing: there is nothing that processes could share",
+                                 "measure with sarsim run --discard, of one process");
     if (journaled_ && request_.discard)
-      throw core::Refused("--discard writes nothing: there is nothing to share, keep or resume",
-                          "leave out --discard, or --part, --pulses and --resume");
+      throw core::InvalidRequest("--discard writes nothing: there is nothing to share, keep or resume",
+                                 "leave out --discard, or --part, --pulses and --resume");
     if (!journaled_ && (part.own_file || part.save_every_s))
-      throw core::Refused("--part-file and --save-every concern parts and runs that can be resumed",
-                          "give --part, --pulses or --resume as well");
+      throw core::InvalidRequest("--part-file and --save-every concern parts and runs that can be resumed",
+                                 "give --part, --pulses or --resume as well");
   }
 
   void make(const ProductJob& job) {
@@ -123,7 +123,7 @@ class Recorder {
     if (!output_.file) return;
     const auto format = raster::format_from_path(*output_.file);
     if (overrides_.format && *overrides_.format != *format)
-      throw core::Refused(
+      throw core::InvalidRequest(
           fmt::format("--out: '{}' has the ending of {}, and --format says {}", output_.file->string(),
                       format_word(*format), format_word(*overrides_.format)),
           fmt::format("leave out --format, or end the name with {}", raster::extension_of(*overrides_.format)));
@@ -135,11 +135,11 @@ class Recorder {
     if (!output_.file) return;
     const auto recordings = std::ranges::count_if(jobs_, [](const ProductJob& job) { return !job.table; });
     if (recordings != 1)
-      throw core::Refused(fmt::format("--out: '{}' is the name of a file, and there are {} recordings",
-                                      output_.file->string(), recordings),
-                          recordings == 0
-                              ? "name a folder"
-                              : "choose one recording, as in sarsim run SCENE 1 --out FILE, or name a folder");
+      throw core::InvalidRequest(fmt::format("--out: '{}' is the name of a file, and there are {} recordings",
+                                             output_.file->string(), recordings),
+                                 recordings == 0
+                                     ? "name a folder"
+                                     : "choose one recording, as in sarsim run SCENE 1 --out FILE, or name a folder");
     std::ranges::find_if(jobs_, [](const ProductJob& job) { return !job.table; })->path = *output_.file;
   }
 
@@ -156,8 +156,8 @@ class Recorder {
       return wanted;
     };
     input_ = request_.scene ? take_scene(*request_.scene, fs::path(request_.script).parent_path(), overrides_,
-                                         Scrutiny::echoes, work(), choose)
-                            : read_scene(request_.script, overrides_, Scrutiny::echoes, work(), choose);
+                                         CheckLevel::echoes, work(), choose)
+                            : read_scene(request_.script, overrides_, CheckLevel::echoes, work(), choose);
     if (request_.doubles)  // What single precision cannot hold is held then.
       std::erase_if(input_.problems, [](const core::Problem& p) {
         return p.severity == core::Severity::note && p.subject.kind == "simulation" && p.subject.field == "format";
@@ -193,10 +193,11 @@ class Recorder {
     });
     const bool of_1998 = !request_.scene && input_.language == scene::Language::script;
     if (empty || !of_1998) {
-      core::Refused nothing(of_1998 ? "the script asks for nothing"
-                                    : "the scene defines no recording and no geometry table: nothing to do",
-                            of_1998 ? "add a $SIMULATION or a $GEOMETRY; in format 2, a [[recording]] or a [[geometry]]"
-                                    : "add a [[recording]] or a [[geometry]]");
+      core::InvalidRequest nothing(
+          of_1998 ? "the script asks for nothing"
+                  : "the scene defines no recording and no geometry table: nothing to do",
+          of_1998 ? "add a $SIMULATION or a $GEOMETRY; in format 2, a [[recording]] or a [[geometry]]"
+                  : "add a [[recording]] or a [[geometry]]");
       nothing.problems.front().place.file = request_.script;
       throw nothing;
     }
@@ -250,7 +251,7 @@ class Recorder {
     }
     if (!request_.discard) std::ranges::move(problems_of_same_files(files), std::back_inserter(problems));
     expect_output_folder(output_.folder);
-    if (!problems.empty()) throw core::Refused(std::move(problems));
+    if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
   }
 
   // One line for each recording, and the room that all of them need.
@@ -276,7 +277,7 @@ class Recorder {
     }
     const auto& span = request_.part.span;
     if (span && max_rows && *max_rows < static_cast<std::size_t>(span->first))
-      throw core::Refused(
+      throw core::InvalidRequest(
           {core::problem_of(core::Severity::error, "no recording has as many pulses as --pulses asks for",
                             words_of(request_.part), fmt::format("pulses 1 to {}", *max_rows), {})});
     observer_.remarks(missing);

@@ -41,8 +41,8 @@ struct RecordRequest {
 ///
 /// Before the first pulse the observer gets what is worth knowing and a line on each recording. The bytes of products
 /// depend neither on threads nor on parts and processes.
-/// @throws core::Refused for mistakes in the request or the scene, before or while it is carried out
-/// @throws core::Interrupted when stopped; core::KeptInterruption where what is done was kept
+/// @throws core::InvalidRequest for mistakes in the request or the scene, before or while it is carried out
+/// @throws core::Interrupted when stopped; core::DeferredSignal where what is done was kept
 [[nodiscard]] RecordReport record(const RecordRequest& request, const core::Observer& observer,
                                   const RecordEvents& events = {});
 

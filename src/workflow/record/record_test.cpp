@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "simulate/plan/flight_test_scene.hpp"
 #include "workflow/record/merge.hpp"
 #include "workflow/record/prepared_recording.hpp"
@@ -81,7 +81,7 @@ TEST_F(Record, PreparedIsLookedAtAndThenMadeAlike) {
   EXPECT_EQ(made.engine, simulate::name_of(prepared.plan.engine.engine));
   (void)record(request_, {});
   EXPECT_EQ(bytes_of("prepared.bin"), bytes_of("sim.bin"));
-  EXPECT_THROW((void)prepare_recording(scene, 1, folder_ / "wrong.bin", {}), core::Refused);
+  EXPECT_THROW((void)prepare_recording(scene, 1, folder_ / "wrong.bin", {}), core::InvalidRequest);
   EXPECT_THROW((void)make_recording(prepared, {}), std::runtime_error) << "the file is there and may not be replaced";
 }
 
@@ -123,7 +123,7 @@ TEST_F(Record, DiscardingWritesNothing) {
 
 TEST_F(Record, RefusesToReplaceAFileUnlessForced) {
   static_cast<void>(record(request_, {}));
-  EXPECT_THROW(static_cast<void>(record(request_, {})), core::Refused);
+  EXPECT_THROW(static_cast<void>(record(request_, {})), core::InvalidRequest);
   request_.force = true;
   EXPECT_EQ(record(request_, {}).products.size(), 1U);
 }
@@ -133,7 +133,7 @@ TEST_F(Record, TellsWhatIsWrongBeforeItRefuses) {
   core::Problems found;
   RecordEvents events;
   events.found = [&](const core::Problems& problems) { found = problems; };
-  EXPECT_THROW(static_cast<void>(record(request_, {}, events)), core::Refused);
+  EXPECT_THROW(static_cast<void>(record(request_, {}, events)), core::InvalidRequest);
   EXPECT_TRUE(core::has_errors(found));
 }
 

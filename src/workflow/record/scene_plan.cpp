@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/os/disk_room.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/table/formats.hpp"
 #include "scene/language/recorded_text.hpp"
@@ -44,7 +44,7 @@ class VoltEncoder : public simulate::Sink {
 [[noreturn]] void refuse_echo(core::Problem problem, const SceneInput& input) {
   core::Problems problems{std::move(problem)};
   scene::locate(problems, input.places);
-  throw core::Refused(std::move(problems));
+  throw core::InvalidRequest(std::move(problems));
 }
 
 template <class Real>
@@ -64,7 +64,7 @@ void fill_rows(const ScenePlan& planned, simulate::RowRange rows, std::span<std:
   refuse_echo(error.problem, planned.input);
 }
 
-// Throws core::Refused where the file may not be made.
+// Throws core::InvalidRequest where the file may not be made.
 void expect_free(const std::filesystem::path& file, const SceneInput& input, bool replace) {
   core::Problems taken = problems_of_output(file, {input.sources, true, "", {}});
   for (core::Problem& problem : taken) problem.hint = "give the file another name";
@@ -72,7 +72,7 @@ void expect_free(const std::filesystem::path& file, const SceneInput& input, boo
   if (taken.empty() && !replace && std::filesystem::exists(file, ignored))
     taken.push_back(core::problem_of(core::Severity::error, "the file exists already", file.string(), "a new name",
                                      "give it another name, or ask for it to be replaced"));
-  if (!taken.empty()) throw core::Refused(std::move(taken));
+  if (!taken.empty()) throw core::InvalidRequest(std::move(taken));
 }
 
 // The plan with its scene, where the file is not of the format that the scene asks for.
@@ -88,11 +88,11 @@ ScenePlan in_format(const ScenePlan& planned, scene::FileFormat format) {
 ScenePlan plan_of_scene(const SceneInput& known, std::size_t simulation, const core::WorkControl& control) {
   const auto choose = [simulation](const scene::Scene& scene) -> WantedProducts {
     if (simulation >= scene.simulations.size())
-      throw core::Refused(fmt::format("the scene has no recording {}", simulation + 1),
-                          fmt::format("it has {}", scene.simulations.size()));
+      throw core::InvalidRequest(fmt::format("the scene has no recording {}", simulation + 1),
+                                 fmt::format("it has {}", scene.simulations.size()));
     return {{simulation}, {}};
   };
-  ScenePlan planned{.input = check_again(known, Scrutiny::echoes, control, choose), .plan = {}};
+  ScenePlan planned{.input = check_again(known, CheckLevel::echoes, control, choose), .plan = {}};
   expect_usable(planned.input);
   resolve_once(planned.input, control);
   planned.plan = simulate::make_plan(planned.input.scene, simulation, planned.input.resolved,

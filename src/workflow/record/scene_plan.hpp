@@ -25,7 +25,7 @@ struct ScenePlan {
 
 /// Checks, surveys and plans one recording; what is wrong with others does not matter.
 /// @param simulation  position in the scene's list
-/// @throws core::Refused with all problems where it cannot be made, core::Interrupted
+/// @throws core::InvalidRequest with all problems where it cannot be made, core::Interrupted
 [[nodiscard]] ScenePlan plan_of_scene(const SceneInput& known, std::size_t simulation,
                                       const core::WorkControl& control);
 
@@ -33,7 +33,7 @@ struct ScenePlan {
 /// @param rows     within [0, plan.acquisition.timing.rows)
 /// @param samples  rows.count times plan.acquisition.reception.columns
 /// @param threads  0: one per core
-/// @throws core::Refused for an echo that cannot be computed, core::Interrupted
+/// @throws core::InvalidRequest for an echo that cannot be computed, core::Interrupted
 void record_rows(const ScenePlan& planned, simulate::RowRange rows, std::span<std::complex<float>> samples,
                  unsigned threads, const core::Observer& observer);
 /// The same in double precision.
@@ -43,8 +43,8 @@ void record_rows(const ScenePlan& planned, simulate::RowRange rows, std::span<st
 /// Makes the file of a recording, as `record` does.
 /// @param format   in place of the scene's
 /// @param options  but for the format
-/// @throws core::Refused for a name that is taken and an echo that cannot be computed, std::runtime_error for a disk
-/// without room, core::Interrupted
+/// @throws core::InvalidRequest for a name that is taken and an echo that cannot be computed, std::runtime_error for a
+/// disk without room, core::Interrupted
 [[nodiscard]] RecordingReport record_file(const ScenePlan& planned, const std::filesystem::path& file,
                                           std::optional<scene::FileFormat> format, raster::SinkOptions options,
                                           unsigned threads, const core::Observer& observer);

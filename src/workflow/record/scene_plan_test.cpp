@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "simulate/plan/flight_test_scene.hpp"
 #include "workflow/record/record.hpp"
 
@@ -70,7 +70,7 @@ TEST_F(ScenePlanTest, AFileIsOfTheFormatThatIsAskedForAndReplacesNothingUnasked)
   try {
     static_cast<void>(record_file(planned, folder_ / "a.dat", {}, {}, 1, {}));
     FAIL() << "it was replaced";
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     ASSERT_EQ(refused.problems.size(), 1U);
     EXPECT_EQ(refused.problems.front().message, "the file exists already");
     EXPECT_THAT(refused.problems.front().hint, testing::Not(testing::HasSubstr("--")));
@@ -84,24 +84,24 @@ TEST_F(ScenePlanTest, MistakesOfOtherRecordingsDoNotMatter) {
   input.scene.simulations.push_back(input.scene.simulations.front());
   input.scene.simulations.back().bits = 99;
   EXPECT_GT(plan_of_scene(input, 0, {}).plan.acquisition.timing.rows, 0U);
-  EXPECT_THROW(static_cast<void>(plan_of_scene(input, 1, {})), core::Refused);
-  EXPECT_THROW(static_cast<void>(plan_of_scene(input, 2, {})), core::Refused);
+  EXPECT_THROW(static_cast<void>(plan_of_scene(input, 1, {})), core::InvalidRequest);
+  EXPECT_THROW(static_cast<void>(plan_of_scene(input, 2, {})), core::InvalidRequest);
 }
 
 TEST(SceneText, IsReadAsItsFileWouldBeAndCheckedAgainWithItsPlaces) {
   const std::string text =
       "format = \"sarsim 2\"\n[[platform]]\nname = \"A\"\n[[radar]]\nname = \"R\"\nplatform = \"A\"\n";
-  SceneInput input = read_scene_text(text, "some/where.toml", {}, Scrutiny::reading);
+  SceneInput input = read_scene_text(text, "some/where.toml", {}, CheckLevel::reading);
   EXPECT_TRUE(input.problems.empty());
   EXPECT_EQ(input.language, scene::Language::format_2);
   EXPECT_EQ(input.sources.front(), fs::path("some/where.toml"));
   EXPECT_TRUE(set_field_value(input, "R.power", "2 kW").empty());
   EXPECT_EQ(field_value(input, "R.power"), "2 kW");
-  EXPECT_THROW(static_cast<void>(set_field_value(input, "R.power", "much")), core::Refused);
+  EXPECT_THROW(static_cast<void>(set_field_value(input, "R.power", "much")), core::InvalidRequest);
   EXPECT_EQ(field_value(input, "R.power"), "2 kW");
-  EXPECT_THROW(static_cast<void>(field_value(input, "R.powr")), core::Refused);
+  EXPECT_THROW(static_cast<void>(field_value(input, "R.powr")), core::InvalidRequest);
   static_cast<void>(set_field_value(input, "R.platform", "B"));
-  const SceneInput again = check_again(input, Scrutiny::values);
+  const SceneInput again = check_again(input, CheckLevel::values);
   ASSERT_TRUE(core::has_errors(again.problems));
   EXPECT_EQ(again.problems.front().place, (core::Place{"some/where.toml", 6, 12}));
 }

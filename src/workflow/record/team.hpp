@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/report/for_now.hpp"
+#include "core/report/retryable.hpp"
 #include "core/task/progress.hpp"
 #include "simulate/run/run.hpp"
 
@@ -14,7 +14,7 @@ namespace sarsim::workflow {
 /// How a step ended.
 enum class StepEnd {
   done,
-  refused_for_now,  ///< `core::RefusedForNow`.
+  retryable_error,  ///< `core::RetryableError`.
   failed,
 };
 
@@ -51,22 +51,22 @@ class Team {
 };
 
 /// A step that all processes of a team take, or none; a process of its own has no team. Throws what the step throws,
-/// and where it fails on another process, which says why, a core::Refused without problems.
+/// and where it fails on another process, which says why, a core::InvalidRequest without problems.
 template <class Step>
 void take_together(Team* team, const Step& step) {
   const auto tell = [team](StepEnd here) { return team == nullptr ? here : team->agree(here); };
   try {
     step();
-  } catch (const core::RefusedForNow&) {
-    static_cast<void>(tell(StepEnd::refused_for_now));
+  } catch (const core::RetryableError&) {
+    static_cast<void>(tell(StepEnd::retryable_error));
     throw;
   } catch (...) {
     static_cast<void>(tell(StepEnd::failed));
     throw;
   }
   const StepEnd end = tell(StepEnd::done);
-  if (end == StepEnd::refused_for_now) throw core::RefusedForNow(core::Problems());
-  if (end == StepEnd::failed) throw core::Refused(core::Problems());
+  if (end == StepEnd::retryable_error) throw core::RetryableError(core::Problems());
+  if (end == StepEnd::failed) throw core::InvalidRequest(core::Problems());
 }
 
 }  // namespace sarsim::workflow

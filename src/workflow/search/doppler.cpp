@@ -8,7 +8,7 @@
 
 #include "core/build/version.hpp"
 #include "workflow/image/image_writer.hpp"
-#include "workflow/search/pulse_work.hpp"
+#include "workflow/search/pulse_pipeline.hpp"
 
 namespace sarsim::workflow {
 
@@ -22,7 +22,7 @@ double middle_of_interval_s(const radar::Repetition& repetition, std::int64_t fi
 // The image holds the maps of all intervals, one below the other.
 class DopplerImage {
  public:
-  DopplerImage(PulseWork& work, bool replace) : work_(work), replace_(replace) {}
+  DopplerImage(PulsePipeline& work, bool replace) : work_(work), replace_(replace) {}
 
   // Finds what stands in an image's header: the axes of a map.
   [[nodiscard]] DopplerReport axes() const {
@@ -56,11 +56,11 @@ class DopplerImage {
   }
 
   /// Returns the maps where they are kept.
-  std::optional<KeptImage> finish() {
+  std::optional<InMemoryImage> finish() {
     if (!writer_) return std::nullopt;
     writer_->finish();
     if (!work_.keeps_image()) return std::nullopt;
-    KeptImage kept = std::move(*writer_).kept();
+    InMemoryImage kept = std::move(*writer_).kept();
     kept.largest_if_needed = true;
     return kept;
   }
@@ -138,7 +138,7 @@ class DopplerImage {
     return content;
   }
 
-  PulseWork& work_;
+  PulsePipeline& work_;
   bool replace_;
   std::optional<ImageWriter> writer_;
 };
@@ -151,7 +151,7 @@ std::size_t doppler_pulses(const simulate::Acquisition& acquisition, std::int64_
 }
 
 DopplerReport doppler(const DopplerRequest& request, const core::Observer& observer) {
-  PulseWork work(request, observer, "-doppler");
+  PulsePipeline work(request, observer, "-doppler");
   // The canceller takes its pulses from those that there are.
   const auto order = static_cast<std::int64_t>(request.canceller);
   work.open([order](const simulate::Acquisition& acquisition) { return doppler_pulses(acquisition, order); },
@@ -159,7 +159,7 @@ DopplerReport doppler(const DopplerRequest& request, const core::Observer& obser
   DopplerImage image(work, request.replace);
   if (request.image) image.begin();
   work.detect({}, [&](const SearchInterval& interval) { image.append(interval); });
-  std::optional<KeptImage> kept = image.finish();
+  std::optional<InMemoryImage> kept = image.finish();
   DopplerReport report = image.axes();
   static_cast<PulseReport&>(report) = work.report();
   report.kept = std::move(kept);

@@ -33,8 +33,8 @@ struct DopplerReport : PulseReport {
 };
 
 /// Range-Doppler maps of pulses, one below the other in an image, and the table of what stands out of them
-/// (docs/theory/search-and-doppler.md). Throws core::Refused with everything that keeps it from being done, before
-/// anything is written; Interrupted; failures of files as the sinks tell them.
+/// (docs/theory/search-and-doppler.md). Throws core::InvalidRequest with everything that keeps it from being done,
+/// before anything is written; Interrupted; failures of files as the sinks tell them.
 [[nodiscard]] DopplerReport doppler(const DopplerRequest& request, const core::Observer& observer = {});
 
 }  // namespace sarsim::workflow

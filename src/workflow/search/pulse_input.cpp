@@ -1,6 +1,6 @@
 #include "workflow/search/pulse_input.hpp"
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 
 namespace sarsim::workflow {
 
@@ -9,8 +9,8 @@ namespace {
 // Synthetic range profiles have to be refused before they are planned as pulses.
 void expect_pulses(const scene::Simulation& simulation) {
   if (simulation.processing == scene::Processing::srp)
-    throw core::Refused("synthetic range profiles hold no pulses",
-                        "take a recording of processing \"raw\" or \"matched-filter\"");
+    throw core::InvalidRequest("synthetic range profiles hold no pulses",
+                               "take a recording of processing \"raw\" or \"matched-filter\"");
 }
 
 PulseInput of_script(const RecordingArguments& arguments, const core::WorkControl& control) {

@@ -18,7 +18,7 @@ struct PulseInput {
     scene::Scene& scene, std::size_t number, const std::shared_ptr<const simulate::ResolvedScene>& resolved,
     const core::StopFlag* stop = nullptr);
 
-/// Opens what the arguments name; throws core::Refused with all problems where it has no pulses.
+/// Opens what the arguments name; throws core::InvalidRequest with all problems where it has no pulses.
 [[nodiscard]] PulseInput open_pulse_input(const RecordingArguments& arguments, const core::WorkControl& control);
 
 }  // namespace sarsim::workflow

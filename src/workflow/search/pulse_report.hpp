@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/report/problem.hpp"
-#include "workflow/image/kept_image.hpp"
+#include "workflow/image/in_memory_image.hpp"
 #include "workflow/search/search_targets.hpp"
 
 namespace sarsim::workflow {
@@ -18,7 +18,7 @@ struct PulseReport {
   std::size_t simulation = 0;                  ///< Position in the script's list.
   std::vector<std::filesystem::path> files{};  ///< That were written: the image with its header, the table.
   std::filesystem::path table{};               ///< Of detections, where there are any to look for.
-  std::optional<KeptImage> kept{};             ///< The image, where it was not written.
+  std::optional<InMemoryImage> kept{};         ///< The image, where it was not written.
   std::string kept_table{};                    ///< Of detections, where it was not written, as its file would be.
   SearchOptions options;
   std::size_t intervals = 0;

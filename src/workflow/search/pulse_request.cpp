@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim::workflow {
@@ -99,7 +99,7 @@ core::Problems problems_of_request(const PulseRequest& request) {
 SearchOptions search_options(const PulseRequest& request, const simulate::Acquisition& acquisition,
                              std::size_t usual_pulses) {
   if (core::Problems problems = problems_of_request(request); !problems.empty())
-    throw core::Refused(std::move(problems));
+    throw core::InvalidRequest(std::move(problems));
   SearchOptions options;
   options.pulses = request.pulses.value_or(usual_pulses);
   options.step = request.step;

@@ -47,7 +47,7 @@ struct PulseRequest {
 /// detect where nothing is detected.
 [[nodiscard]] core::Problems problems_of_request(const PulseRequest& request);
 
-/// The options of the work on some pulses; throws core::Refused with `problems_of_request`.
+/// The options of the work on some pulses; throws core::InvalidRequest with `problems_of_request`.
 /// @param usual_pulses  of an interval, where none are given
 [[nodiscard]] SearchOptions search_options(const PulseRequest& request, const simulate::Acquisition& acquisition,
                                            std::size_t usual_pulses);

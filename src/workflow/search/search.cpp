@@ -10,9 +10,9 @@
 
 #include "core/build/version.hpp"
 #include "core/maths/constants.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "workflow/image/image_writer.hpp"
-#include "workflow/search/pulse_work.hpp"
+#include "workflow/search/pulse_pipeline.hpp"
 #include "workflow/search/search_checks.hpp"
 
 namespace sarsim::workflow {
@@ -26,13 +26,13 @@ void expect_picture(const SearchRequest& request) {
                                                 {"--extent", request.picture.extent_m.has_value()},
                                                 {"--scan", request.picture.scan.has_value()}};
   for (const auto& [option, there] : given)
-    if (there) throw core::Refused(fmt::format("{} is for the picture", option), "leave it out, or --no-map");
+    if (there) throw core::InvalidRequest(fmt::format("{} is for the picture", option), "leave it out, or --no-map");
 }
 
 void expect_turn(const SearchRequest& request, double turns) {
   if (!request.picture.scan || static_cast<double>(*request.picture.scan + 1) <= turns) return;
-  throw core::Refused(fmt::format("--scan {}: fewer turns are recorded", *request.picture.scan + 1),
-                      fmt::format("{:.0f} turns, counting partial ones", turns));
+  throw core::InvalidRequest(fmt::format("--scan {}: fewer turns are recorded", *request.picture.scan + 1),
+                             fmt::format("{:.0f} turns, counting partial ones", turns));
 }
 
 double bytes_of_picture(const SearchRequest& request, const PulseRows& rows) {
@@ -41,7 +41,8 @@ double bytes_of_picture(const SearchRequest& request, const PulseRows& rows) {
   return sizeof(float) * static_cast<double>(grid.rows) * static_cast<double>(grid.columns);
 }
 
-ImageContent content_of_picture(const PulseWork& work, const PictureArguments& picture, const signal::PpiGrid& grid) {
+ImageContent content_of_picture(const PulsePipeline& work, const PictureArguments& picture,
+                                const signal::PpiGrid& grid) {
   const auto number = [](double value) { return fmt::format("{}", value); };
   ImageContent content;
   content.header.lines = grid.rows;
@@ -70,8 +71,8 @@ ImageContent content_of_picture(const PulseWork& work, const PictureArguments& p
 }
 
 // @param[out] kept  the picture, where it is not written
-PictureReport write_picture(const SearchPicture& picture, const PulseWork& work, const SearchRequest& request,
-                            const core::StopFlag* stop, std::optional<KeptImage>& kept) {
+PictureReport write_picture(const SearchPicture& picture, const PulsePipeline& work, const SearchRequest& request,
+                            const core::StopFlag* stop, std::optional<InMemoryImage>& kept) {
   const signal::PpiGrid& grid = picture.picture().grid();
   const std::vector<float>& values = picture.picture().values();
   const double largest = static_cast<double>(*std::ranges::max_element(values));
@@ -92,7 +93,7 @@ PictureReport write_picture(const SearchPicture& picture, const PulseWork& work,
 }  // namespace
 
 SearchReport search(const SearchRequest& request, const core::Observer& observer) {
-  PulseWork work(request, observer, "-ppi");
+  PulsePipeline work(request, observer, "-ppi");
   work.open(dwell_pulses, [&](const PulseRows& rows) {
     if (request.picture.scan) expect_turn(request, turns_to_come(rows));
     expect_picture(request);
@@ -106,7 +107,7 @@ SearchReport search(const SearchRequest& request, const core::Observer& observer
                 if (picture) picture->take(interval);
               });
   SearchReport report;
-  std::optional<KeptImage> kept;
+  std::optional<InMemoryImage> kept;
   if (picture) {
     picture->finish();
     expect_turn(request, static_cast<double>(picture->scans()));

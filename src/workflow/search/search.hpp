@@ -29,8 +29,8 @@ struct SearchReport : PulseReport {
 
 /// A plan position indicator of what the beam sees and the table of its detections
 /// (docs/theory/search-and-doppler.md); an interval lasts while the beam turns by half its width where nothing else is
-/// said. Throws core::Refused with what keeps it from being done, before anything is written; Interrupted; failures of
-/// files as the sinks tell them.
+/// said. Throws core::InvalidRequest with what keeps it from being done, before anything is written; Interrupted;
+/// failures of files as the sinks tell them.
 [[nodiscard]] SearchReport search(const SearchRequest& request, const core::Observer& observer = {});
 
 }  // namespace sarsim::workflow

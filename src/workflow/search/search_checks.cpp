@@ -12,7 +12,7 @@
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/survey/beam_passes.hpp"
 #include "simulate/survey/survey.hpp"
-#include "workflow/focus/recorded_gain.hpp"
+#include "workflow/focus/matched_filter_coverage.hpp"
 
 namespace sarsim::workflow {
 
@@ -141,7 +141,8 @@ class Remarks {
     if (!acquisition_.reception.is_raw()) return;
     const double c = acquisition_.light_speed_mps();
     const double whole_m = radar::range_of(
-        RecordedGain(acquisition_, acquisition_.reception.columns, acquisition_.link.window).last_whole_s(), c);
+        MatchedFilterCoverage(acquisition_, acquisition_.reception.columns, acquisition_.link.window).last_whole_s(),
+        c);
     const double last_m = radar::range_of(acquisition_.reception.raw_grid.time_s(acquisition_.reception.columns - 1) +
                                               acquisition_.reception.pulse.lead_s,
                                           c);
@@ -181,7 +182,7 @@ class Remarks {
   void unseen_end() {
     const auto pulses = static_cast<std::size_t>(acquisition_.timing.pulses.count());
     const std::size_t intervals = interval_count(options_, pulses);
-    if (!simulate::turns(acquisition_.link.beam) || intervals == 0) return;
+    if (!simulate::is_scanning(acquisition_.link.beam) || intervals == 0) return;
     const std::size_t taken = (intervals - 1) * options_.step_pulses() + options_.recorded_pulses();
     const double turn_deg = std::abs(acquisition_.link.beam.rate_rad_per_s) / prf_hz_ * 180.0 / core::pi;
     const double unseen_deg =
@@ -272,8 +273,8 @@ core::Problems problems_of_search(const simulate::Acquisition& acquisition, cons
   return problems;
 }
 
-core::Problems remarks_on_search(const simulate::Acquisition& acquisition, const SearchOptions& options,
-                                 const core::WorkControl& control) {
+core::Problems diagnose_search(const simulate::Acquisition& acquisition, const SearchOptions& options,
+                               const core::WorkControl& control) {
   return Remarks(acquisition, options, control).all();
 }
 

@@ -16,8 +16,8 @@ namespace sarsim::workflow {
 /// blind speeds of the canceller, that walk through range cells; a beam that turns farther in an interval than it is
 /// wide, or not at all, for intervals of single pulses; last pulses of its only turn that make no interval (a note); no
 /// noise to hold detections against; reference cells over unlike Doppler rows. Looks at some pulses of the plan.
-[[nodiscard]] core::Problems remarks_on_search(const simulate::Acquisition& acquisition, const SearchOptions& options,
-                                               const core::WorkControl& control = {});
+[[nodiscard]] core::Problems diagnose_search(const simulate::Acquisition& acquisition, const SearchOptions& options,
+                                             const core::WorkControl& control = {});
 
 /// Width of the radar's beam in azimuth, one way, rad; 0 where the pattern has none or is given by points.
 [[nodiscard]] double beam_width_rad(const simulate::Acquisition& acquisition);

@@ -33,7 +33,7 @@ scene::Scene noisy_scene(double speed_mps) {
 
 TEST(ProblemsOfSearch, AreNoneForASoundRadar) {
   EXPECT_TRUE(problems_of_search(plan_of(noisy_scene(10.0)), train_of(64, 2)).empty());
-  EXPECT_TRUE(remarks_on_search(plan_of(noisy_scene(10.0)), train_of(64, 2)).empty());
+  EXPECT_TRUE(diagnose_search(plan_of(noisy_scene(10.0)), train_of(64, 2)).empty());
 }
 
 TEST(ProblemsOfSearch, AreTrainsOfUnlikePulses) {
@@ -72,32 +72,29 @@ TEST(ProblemsOfSearch, AreSizesThatDoNotFit) {
 
 TEST(RemarksOnSearch, SayWhatFoldsAndWhatIsBlind) {
   // lambda PRF/4 is 30 m/s, the first blind speed 60 m/s.
-  const core::Problems fast = remarks_on_search(plan_of(noisy_scene(40.0)), train_of(64));
+  const core::Problems fast = diagnose_search(plan_of(noisy_scene(40.0)), train_of(64));
   EXPECT_TRUE(mentions(fast, core::Severity::warning, "1 of 1 targets move faster than the PRF tells apart"));
   EXPECT_TRUE(mentions(fast, core::Severity::warning, "29.98 m/s"));
-  EXPECT_FALSE(
-      mentions(remarks_on_search(plan_of(noisy_scene(29.0)), train_of(64)), core::Severity::warning, "faster"));
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(noisy_scene(40.0)), train_of(1)), core::Severity::warning, "faster"));
-  EXPECT_TRUE(mentions(remarks_on_search(plan_of(noisy_scene(-60.0)), train_of(64, 1)), core::Severity::warning,
+  EXPECT_FALSE(mentions(diagnose_search(plan_of(noisy_scene(29.0)), train_of(64)), core::Severity::warning, "faster"));
+  EXPECT_FALSE(mentions(diagnose_search(plan_of(noisy_scene(40.0)), train_of(1)), core::Severity::warning, "faster"));
+  EXPECT_TRUE(mentions(diagnose_search(plan_of(noisy_scene(-60.0)), train_of(64, 1)), core::Severity::warning,
                        "target 1 moves near a blind speed"));
-  EXPECT_FALSE(
-      mentions(remarks_on_search(plan_of(noisy_scene(-60.0)), train_of(64)), core::Severity::warning, "blind"));
-  EXPECT_FALSE(
-      mentions(remarks_on_search(plan_of(noisy_scene(0.0)), train_of(64, 1)), core::Severity::warning, "blind"));
+  EXPECT_FALSE(mentions(diagnose_search(plan_of(noisy_scene(-60.0)), train_of(64)), core::Severity::warning, "blind"));
+  EXPECT_FALSE(mentions(diagnose_search(plan_of(noisy_scene(0.0)), train_of(64, 1)), core::Severity::warning, "blind"));
 }
 
 TEST(RemarksOnSearch, SayWhenTargetsWalkThroughRangeCells) {
-  EXPECT_TRUE(mentions(remarks_on_search(plan_of(noisy_scene(-70.0)), train_of(1000)), core::Severity::warning,
+  EXPECT_TRUE(mentions(diagnose_search(plan_of(noisy_scene(-70.0)), train_of(1000)), core::Severity::warning,
                        "more than a cell of range"));
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(noisy_scene(-70.0)), train_of(500)), core::Severity::warning,
-                        "cell of range"));
+  EXPECT_FALSE(
+      mentions(diagnose_search(plan_of(noisy_scene(-70.0)), train_of(500)), core::Severity::warning, "cell of range"));
 }
 
 // The check of the scene does, and of the echoes of other pulses.
 TEST(RemarksOnSearch, LeaveAmbiguousRangesToTheCheckOfTheScene) {
   scene::Scene scene = noisy_scene(0.0);
   scene.simulations[0].range_end_m = 40e3;
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(64)), core::Severity::warning, "unambiguous"));
+  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(64)), core::Severity::warning, "unambiguous"));
 }
 
 TEST(RemarksOnSearch, SayWhenTheBeamTurnsTooFarInAnInterval) {
@@ -110,9 +107,9 @@ TEST(RemarksOnSearch, SayWhenTheBeamTurnsTooFarInAnInterval) {
   EXPECT_NEAR(beam_width_rad(acquisition), 2.0 * core::pi / 180.0, 1e-12);
   // 2 degrees take 22.2 pulses.
   EXPECT_EQ(dwell_pulses(acquisition), 11u);
-  EXPECT_TRUE(mentions(remarks_on_search(acquisition, train_of(23)), core::Severity::warning,
-                       "intervals of at most 22 pulses"));
-  EXPECT_FALSE(mentions(remarks_on_search(acquisition, train_of(22)), core::Severity::warning, "beam turns"));
+  EXPECT_TRUE(
+      mentions(diagnose_search(acquisition, train_of(23)), core::Severity::warning, "intervals of at most 22 pulses"));
+  EXPECT_FALSE(mentions(diagnose_search(acquisition, train_of(22)), core::Severity::warning, "beam turns"));
   EXPECT_EQ(dwell_pulses(plan_of(noisy_scene(0.0))), 1u);
 }
 
@@ -121,32 +118,32 @@ TEST(RemarksOnSearch, SayWhichPartOfATurnNoIntervalSees) {
   scene.radars[0].beam = scene::Radar::Beam::rotating;
   // 0.25 degrees a pulse: 1024 pulses are 256 degrees.
   scene.radars[0].beam_rate = core::Angle::from_deg(1000.0);
-  const core::Problems remarks = remarks_on_search(plan_of(scene), train_of(10));
+  const core::Problems remarks = diagnose_search(plan_of(scene), train_of(10));
   EXPECT_TRUE(mentions(remarks, core::Severity::note, "the last 4 of 1024 pulses make no interval: 1 deg of the turn"));
   EXPECT_TRUE(mentions(remarks, core::Severity::note, "record 6 more"));
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(8)), core::Severity::note, "make no interval"));
+  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(8)), core::Severity::note, "make no interval"));
   // Behind a canceller of order 2 102 intervals take 1022 pulses.
-  EXPECT_TRUE(mentions(remarks_on_search(plan_of(scene), train_of(10, 2)), core::Severity::note, "the last 2 of 1024"));
+  EXPECT_TRUE(mentions(diagnose_search(plan_of(scene), train_of(10, 2)), core::Severity::note, "the last 2 of 1024"));
   // The turn ends in the 1021st pulse: 0.1 degrees of 360 are left, or of a longer one nothing.
   scene.radars[0].beam_rate = core::Angle::from_deg(4000.0 * 359.9 / 1020.0);
-  EXPECT_TRUE(mentions(remarks_on_search(plan_of(scene), train_of(10)), core::Severity::note, ": 0.1 deg of the turn"));
+  EXPECT_TRUE(mentions(diagnose_search(plan_of(scene), train_of(10)), core::Severity::note, ": 0.1 deg of the turn"));
   scene.radars[0].beam_rate = core::Angle::from_deg(4000.0 * 360.1 / 1020.0);
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(10)), core::Severity::note, "make no interval"));
+  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(10)), core::Severity::note, "make no interval"));
   scene.radars[0].beam = scene::Radar::Beam::fixed;
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(10)), core::Severity::note, "make no interval"));
+  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(10)), core::Severity::note, "make no interval"));
 }
 
 TEST(RemarksOnSearch, SayWhenASearchingBeamDoesNotTurn) {
   scene::Scene scene = noisy_scene(0.0);
   EXPECT_FALSE(beam_turns(plan_of(scene)));
   EXPECT_TRUE(
-      mentions(remarks_on_search(plan_of(scene), train_of(1)), core::Severity::warning, "the beam does not turn"));
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(64)), core::Severity::warning, "does not turn"));
+      mentions(diagnose_search(plan_of(scene), train_of(1)), core::Severity::warning, "the beam does not turn"));
+  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(64)), core::Severity::warning, "does not turn"));
   scene.radars[0].beam = scene::Radar::Beam::rotating;
   EXPECT_FALSE(beam_turns(plan_of(scene)));
   scene.radars[0].beam_rate = core::Angle::from_deg(360.0);
   EXPECT_TRUE(beam_turns(plan_of(scene)));
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(1)), core::Severity::warning, "does not turn"));
+  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(1)), core::Severity::warning, "does not turn"));
 }
 
 // What turns a beam does not matter.
@@ -169,27 +166,26 @@ TEST(ProblemsOfSearch, AreGuardsLargerThanTheMap) {
 
 TEST(RemarksOnSearch, SayWhatTheDetectorCannotTrust) {
   const simulate::Acquisition silent = plan_of(pulse_scene(0.0));
-  EXPECT_TRUE(mentions(remarks_on_search(silent, train_of(64)), core::Severity::warning, "no noise"));
+  EXPECT_TRUE(mentions(diagnose_search(silent, train_of(64)), core::Severity::warning, "no noise"));
   SearchOptions options = train_of(64, 1);
   options.cfar.reference_rows = 2;
-  EXPECT_TRUE(mentions(remarks_on_search(silent, options), core::Severity::warning, "differs from one Doppler row"));
+  EXPECT_TRUE(mentions(diagnose_search(silent, options), core::Severity::warning, "differs from one Doppler row"));
   options.detect = false;
-  EXPECT_FALSE(mentions(remarks_on_search(silent, options), core::Severity::warning, "noise"));
+  EXPECT_FALSE(mentions(diagnose_search(silent, options), core::Severity::warning, "noise"));
   scene::Scene fine = noisy_scene(0.0);
   fine.simulations[0].sample_rate_hz = 50e6;
-  EXPECT_TRUE(
-      mentions(remarks_on_search(plan_of(fine), train_of(64)), core::Severity::warning, "a target masks itself"));
+  EXPECT_TRUE(mentions(diagnose_search(plan_of(fine), train_of(64)), core::Severity::warning, "a target masks itself"));
 }
 
 TEST(RemarksOnSearch, SayWhichEchoesTheEndOfARawRecordingCuts) {
   // A pulse of 1499 m in a window of 1700 m: echoes from 4901 m on are cut.
   scene::Scene scene = noisy_scene(0.0);
   scene.simulations[0].range_end_m = 6400.0;
-  EXPECT_TRUE(mentions(remarks_on_search(simulate::acquisition_of(scene, 0), train_of(64)), core::Severity::warning,
+  EXPECT_TRUE(mentions(diagnose_search(simulate::acquisition_of(scene, 0), train_of(64)), core::Severity::warning,
                        "1 of 1 targets lie within a pulse's length of the end"));
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(64)), core::Severity::warning, "of the end"));
+  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(64)), core::Severity::warning, "of the end"));
   scene.simulations[0].range_end_m = 6600.0;
-  EXPECT_FALSE(mentions(remarks_on_search(simulate::acquisition_of(scene, 0), train_of(64)), core::Severity::warning,
+  EXPECT_FALSE(mentions(diagnose_search(simulate::acquisition_of(scene, 0), train_of(64)), core::Severity::warning,
                         "of the end"));
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "signal/search/canceller.hpp"
-#include "signal/search/steady_target.hpp"
+#include "signal/search/swerling0.hpp"
 #include "workflow/search/search_test_scene.hpp"
 
 namespace sarsim::workflow {

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t max_pulses = std::uint64_t{1} << 24;
 
 [[noreturn]] void refuse_word(std::string message, const std::string& found, std::string expected) {
-  throw core::Refused(
+  throw core::InvalidRequest(
       core::Problems{core::problem_of(core::Severity::error, std::move(message), found, std::move(expected), {})});
 }
 
@@ -121,7 +121,7 @@ Request request_of(const OptionTable<Request>& table, const std::string& input, 
   core::Problems all = std::move(problems.early);
   std::ranges::move(problems_of_request(request), std::back_inserter(all));
   std::ranges::move(problems.late, std::back_inserter(all));
-  throw core::Refused(std::move(all));
+  throw core::InvalidRequest(std::move(all));
 }
 
 }  // namespace

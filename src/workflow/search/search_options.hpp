@@ -13,8 +13,8 @@ namespace sarsim::workflow {
 /// Every option of `search`.
 [[nodiscard]] OptionTable<SearchRequest> search_option_table();
 
-/// What an input and words for options ask for. Throws core::Refused with everything that is wrong where one of the
-/// words means nothing.
+/// What an input and words for options ask for. Throws core::InvalidRequest with everything that is wrong where one of
+/// the words means nothing.
 [[nodiscard]] DopplerRequest doppler_request(const std::string& input, const GivenWords& given);
 /// The same for `search`.
 [[nodiscard]] SearchRequest search_request(const std::string& input, const GivenWords& given);

@@ -10,7 +10,7 @@ std::vector<std::string> refusals(const GivenWords& given) {
   std::vector<std::string> told;
   try {
     static_cast<void>(doppler_request("a.scr", given));
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     for (const core::Problem& problem : refused.problems) told.push_back(problem.message);
   }
   return told;

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 #include "workflow/search/search_checks.hpp"
@@ -37,7 +37,7 @@ std::vector<double> ends_of(const std::vector<double>& range_m) {
 
 double above_zero(const char* option, double value) {
   if (value > 0.0) return value;
-  throw core::Refused(fmt::format("{} {}: must be above 0", option, core::format_number(value)));
+  throw core::InvalidRequest(fmt::format("{} {}: must be above 0", option, core::format_number(value)));
 }
 
 }  // namespace
@@ -52,17 +52,18 @@ signal::PpiGrid picture_grid(const PulseRows& rows, const PictureArguments& argu
   const core::Vec3 middle_m = 0.5 * (begin_m + end_m);
   const double reach_m = ground_range_m(rows.range_m.back(), middle_m.z - arguments.height_m.value_or(0.0));
   if (!(reach_m > 0.0))
-    throw core::Refused("the ground is farther away than the recorded ranges reach",
-                        fmt::format("record beyond {:.6g} m, or give the plane that is meant with --height",
-                                    std::abs(middle_m.z - arguments.height_m.value_or(0.0))));
+    throw core::InvalidRequest("the ground is farther away than the recorded ranges reach",
+                               fmt::format("record beyond {:.6g} m, or give the plane that is meant with --height",
+                                           std::abs(middle_m.z - arguments.height_m.value_or(0.0))));
   const double extent_m = arguments.extent_m ? above_zero("--extent", *arguments.extent_m)
                                              : reach_m + 0.5 * std::hypot(end_m.x - begin_m.x, end_m.y - begin_m.y);
   const double step_m = rows.samples() > 1 ? rows.range_m[1] - rows.range_m[0] : reach_m;
   const double pixel_m =
       arguments.pixel_m ? above_zero("--pixel", *arguments.pixel_m) : std::max(step_m, extent_m / max_pixels_to_a_side);
   if (2.0 * extent_m / pixel_m > max_pixels)
-    throw core::Refused(fmt::format("a picture of {:.6g} pixels to a side is too large", 2.0 * extent_m / pixel_m),
-                        fmt::format("give --pixel at least {:.3g}, or --extent less", 2.0 * extent_m / max_pixels));
+    throw core::InvalidRequest(
+        fmt::format("a picture of {:.6g} pixels to a side is too large", 2.0 * extent_m / pixel_m),
+        fmt::format("give --pixel at least {:.3g}, or --extent less", 2.0 * extent_m / max_pixels));
   return signal::ppi_grid(middle_m.x, middle_m.y, extent_m, pixel_m);
 }
 

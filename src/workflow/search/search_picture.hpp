@@ -23,7 +23,7 @@ struct PictureArguments {
 
 /// The grid of a picture: about where the radar is in the middle of the recording, as far as the recorded ranges reach,
 /// unless the arguments say otherwise; pixels of a range sample, or of a thousandth of the reach where that is more.
-/// Throws core::Refused for arguments that make no sense.
+/// Throws core::InvalidRequest for arguments that make no sense.
 [[nodiscard]] signal::PpiGrid picture_grid(const PulseRows& rows, const PictureArguments& arguments);
 
 /// Whole and begun turns that the beam makes over all pulses; 1 where it does not turn.

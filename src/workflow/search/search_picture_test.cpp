@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "workflow/search/search_test_scene.hpp"
 
 namespace sarsim::workflow {
@@ -118,7 +118,7 @@ TEST(SearchPicture, DrawsABeamThatStandsStillAsWideAsItIs) {
 TEST(PictureGrid, RefusesWhatCannotBeShown) {
   const PulseRows rows = pulse_rows_of(turning_scene(3000.0, {100.0, 3800.0, 0.0}));
   const auto refuses = [&](const PictureArguments& arguments) {
-    EXPECT_THROW((void)picture_grid(rows, arguments), core::Refused);
+    EXPECT_THROW((void)picture_grid(rows, arguments), core::InvalidRequest);
   };
   refuses({.pixel_m = 0.0});
   refuses({.pixel_m = 0.01});

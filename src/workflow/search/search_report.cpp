@@ -13,7 +13,7 @@ namespace sarsim::workflow {
 namespace {
 
 void write_sight(core::JsonWriter& json, const TargetFinding& finding, bool doppler) {
-  const TargetSight& sight = finding.sight;
+  const TargetVisibility& sight = finding.sight;
   json.begin_object().member("interval", sight.interval + 1).member("time_s", sight.time_s);
   json.member("azimuth_deg", bearing_deg(sight.azimuth_rad)).member("range_m", sight.range_m);
   if (doppler) json.member("doppler_hz", sight.doppler_hz).member("seen_doppler_hz", sight.seen_doppler_hz);

@@ -9,7 +9,7 @@
 #include "core/maths/constants.hpp"
 #include "radar/path/path.hpp"
 #include "signal/search/canceller.hpp"
-#include "signal/search/steady_target.hpp"
+#include "signal/search/swerling0.hpp"
 #include "workflow/search/search_checks.hpp"
 
 namespace sarsim::workflow {
@@ -135,12 +135,12 @@ SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options
 }
 
 // Some targets at a time, which bounds what is held of a long interval.
-std::vector<TargetSight> SearchTargets::sights(const SearchInterval& interval) {
+std::vector<TargetVisibility> SearchTargets::sights(const SearchInterval& interval) {
   constexpr std::size_t max_held = std::size_t{1} << 18;
   const std::size_t at_once = std::max<std::size_t>(1, max_held / looks_);
-  std::vector<TargetSight> sights(targets_.size());
+  std::vector<TargetVisibility> sights(targets_.size());
   for (std::size_t first = 0; first < sights.size(); first += at_once) {
-    const std::span<TargetSight> some = std::span(sights).subspan(first, std::min(at_once, sights.size() - first));
+    const std::span<TargetVisibility> some = std::span(sights).subspan(first, std::min(at_once, sights.size() - first));
     look(interval, first, some);
     for (std::size_t t = 0; t < some.size(); ++t)
       place(interval, std::span<const double>(amplitudes_v_).subspan(t * looks_, looks_), some[t]);
@@ -149,7 +149,7 @@ std::vector<TargetSight> SearchTargets::sights(const SearchInterval& interval) {
 }
 
 // Where the targets from `first` on are in the interval, and the amplitudes of their echoes, look by look.
-void SearchTargets::look(const SearchInterval& interval, std::size_t first, std::span<TargetSight> sights) {
+void SearchTargets::look(const SearchInterval& interval, std::size_t first, std::span<TargetVisibility> sights) {
   const simulate::ResolvedScene& scene = *rows_.acquisition->scene;
   const double light_speed_mps = scene.conventions.light_speed_mps;
   const std::size_t pulses = options_.recorded_pulses();
@@ -163,7 +163,7 @@ void SearchTargets::look(const SearchInterval& interval, std::size_t first, std:
     const radar::Pointing pointing = geometry_.pointing();
     for (std::size_t t = 0; t < sights.size(); ++t) {
       const simulate::ScattererView view = geometry_.view(first + t, pointing);
-      TargetSight& sight = sights[t];
+      TargetVisibility& sight = sights[t];
       sight.range_m += radar::range_of(view.delay_s, share * light_speed_mps);
       sight.doppler_hz += radar::doppler_of(share * view.speed_mps, geometry_.carrier_hz(), light_speed_mps);
       amplitudes_v_[t * looks_ + look] =
@@ -178,7 +178,8 @@ void SearchTargets::look(const SearchInterval& interval, std::size_t first, std:
 }
 
 // The cell, and what of the echoes' amplitudes and of the noise comes there.
-void SearchTargets::place(const SearchInterval& interval, std::span<const double> amplitudes_v, TargetSight& sight) {
+void SearchTargets::place(const SearchInterval& interval, std::span<const double> amplitudes_v,
+                          TargetVisibility& sight) {
   sight.interval = interval.number;
   sight.time_s = interval.time_s;
   // A chirp that is shifted in frequency peaks early or late (docs/theory/compression.md).
@@ -213,7 +214,7 @@ void SearchTargets::take_pulses(std::span<const double> amplitudes_v, double dop
 }
 
 // That of the Doppler frequency; behind a canceller, which takes away its middle, one beside it may be higher.
-void SearchTargets::take_strongest_row(const SearchInterval& interval, TargetSight& sight) const {
+void SearchTargets::take_strongest_row(const SearchInterval& interval, TargetVisibility& sight) const {
   constexpr double rounding = 1e-9;
   sight.seen_doppler_hz = folded(sight.doppler_hz, prf_hz_);
   const auto rows = static_cast<std::ptrdiff_t>(options_.rows());
@@ -244,7 +245,7 @@ double SearchTargets::response(double doppler_hz, double cell_hz) const {
 }
 
 // Of a detection from a target, in cells; no number where that is too far.
-double SearchTargets::distance(const SearchDetection& detection, const TargetSight& sight) const {
+double SearchTargets::distance(const SearchDetection& detection, const TargetVisibility& sight) const {
   constexpr double reach = 1.5;
   const double ranges = std::abs(detection.range_m - sight.range_m) / cell_m_;
   double dopplers = 0.0;
@@ -256,7 +257,7 @@ double SearchTargets::distance(const SearchDetection& detection, const TargetSig
 
 // Range and Doppler do not tell targets in different directions apart: one that the beam does not see in the interval
 // is not what was detected. High beams sweep a wider azimuth than their width.
-bool SearchTargets::beside_beam(const SearchInterval& interval, const TargetSight& sight) const {
+bool SearchTargets::beside_beam(const SearchInterval& interval, const TargetVisibility& sight) const {
   constexpr double min_cosine = 0.02;
   if (!half_beam_rad_) return false;
   const core::Vec3& beam = interval.beam_world;
@@ -268,9 +269,9 @@ bool SearchTargets::beside_beam(const SearchInterval& interval, const TargetSigh
 // What all targets whose cells are within reach of a detection should give there, beside the beam or not: an antenna's
 // side lobe shows a strong target in the direction of another one.
 SearchTargets::Strengths SearchTargets::strengths_at(const SearchDetection& detection,
-                                                     const std::vector<TargetSight>& seen) const {
+                                                     const std::vector<TargetVisibility>& seen) const {
   Strengths there;
-  for (const TargetSight& sight : seen) {
+  for (const TargetVisibility& sight : seen) {
     if (!sight.in_window || !(sight.amplitude_v > 0.0) || distance(detection, sight) == infinity) continue;
     there.sum_v += sight.amplitude_v;
     there.largest_v = std::max(there.largest_v, sight.amplitude_v);
@@ -281,7 +282,8 @@ SearchTargets::Strengths SearchTargets::strengths_at(const SearchDetection& dete
 // Whether a detection is as strong as the target can be there: no more than 3 dB and three deviations of the noise
 // above what all targets give together, of which the target gives half as much as the largest or more, and no more than
 // 20 dB below what the target gives, which is spread over the cells that it passes.
-bool SearchTargets::fits(const SearchDetection& detection, const TargetSight& sight, const Strengths& there) const {
+bool SearchTargets::fits(const SearchDetection& detection, const TargetVisibility& sight,
+                         const Strengths& there) const {
   constexpr double min_of_largest = 0.5;
   constexpr double min_of_expected = 0.1;
   constexpr double deviations = 3.0;
@@ -298,11 +300,11 @@ bool SearchTargets::fits(const SearchDetection& detection, const TargetSight& si
 std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval& interval) {
   std::vector<std::optional<std::size_t>> of(interval.detections.size());
   std::vector<double> nearest(interval.detections.size(), infinity);
-  const std::vector<TargetSight> seen_now = sights(interval);
+  const std::vector<TargetVisibility> seen_now = sights(interval);
   std::vector<Strengths> strengths;
   for (const SearchDetection& detection : interval.detections) strengths.push_back(strengths_at(detection, seen_now));
   for (TargetFinding& finding : targets_) {
-    const TargetSight& seen = seen_now[finding.target];
+    const TargetVisibility& seen = seen_now[finding.target];
     if (!seen.in_window) continue;
     if (!finding.sight.in_window || seen.amplitude_v > finding.sight.amplitude_v) finding.sight = seen;
     if (!(seen.amplitude_v > 0.0) || beside_beam(interval, seen)) continue;

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "simulate/plan/pulse_geometry.hpp"
-#include "workflow/focus/recorded_gain.hpp"
+#include "workflow/focus/matched_filter_coverage.hpp"
 #include "workflow/search/search_intervals.hpp"
 
 namespace sarsim::workflow {
 
 /// A target as an interval should see it.
-struct TargetSight {
+struct TargetVisibility {
   std::size_t interval = 0;
   double time_s = 0.0;
   double azimuth_rad = 0.0;      ///< Of the target, seen from the radar: from +y clockwise.
@@ -33,7 +33,7 @@ struct TargetSight {
 /// What became of a target.
 struct TargetFinding {
   std::size_t target = 0;             ///< Position in the scene's list, from 0.
-  TargetSight sight{};                ///< Of the interval that sees it strongest.
+  TargetVisibility sight{};           ///< Of the interval that sees it strongest.
   std::optional<double> probability;  ///< Of detection there, of a steady target; nothing without noise or detector.
   std::size_t expected = 0;           ///< Intervals in which that is at least 1/2.
   std::size_t found = 0;              ///< Intervals with a detection at its cell.
@@ -62,26 +62,28 @@ class SearchTargets {
   [[nodiscard]] std::vector<TargetFinding> findings() const;
 
  private:
-  [[nodiscard]] std::vector<TargetSight> sights(const SearchInterval& interval);
-  void look(const SearchInterval& interval, std::size_t first, std::span<TargetSight> sights);
-  void place(const SearchInterval& interval, std::span<const double> amplitudes_v, TargetSight& sight);
+  [[nodiscard]] std::vector<TargetVisibility> sights(const SearchInterval& interval);
+  void look(const SearchInterval& interval, std::size_t first, std::span<TargetVisibility> sights);
+  void place(const SearchInterval& interval, std::span<const double> amplitudes_v, TargetVisibility& sight);
   void take_pulses(std::span<const double> amplitudes_v, double doppler_hz);
-  void take_strongest_row(const SearchInterval& interval, TargetSight& sight) const;
+  void take_strongest_row(const SearchInterval& interval, TargetVisibility& sight) const;
   [[nodiscard]] double response(double doppler_hz, double cell_hz) const;
-  [[nodiscard]] bool beside_beam(const SearchInterval& interval, const TargetSight& sight) const;
+  [[nodiscard]] bool beside_beam(const SearchInterval& interval, const TargetVisibility& sight) const;
   // Amplitudes of the targets near a detection.
   struct Strengths {
     double sum_v = 0.0;
     double largest_v = 0.0;
   };
-  [[nodiscard]] Strengths strengths_at(const SearchDetection& detection, const std::vector<TargetSight>& seen) const;
-  [[nodiscard]] bool fits(const SearchDetection& detection, const TargetSight& sight, const Strengths& there) const;
-  [[nodiscard]] double distance(const SearchDetection& detection, const TargetSight& sight) const;
+  [[nodiscard]] Strengths strengths_at(const SearchDetection& detection,
+                                       const std::vector<TargetVisibility>& seen) const;
+  [[nodiscard]] bool fits(const SearchDetection& detection, const TargetVisibility& sight,
+                          const Strengths& there) const;
+  [[nodiscard]] double distance(const SearchDetection& detection, const TargetVisibility& sight) const;
 
   const PulseRows& rows_;
   const SearchOptions& options_;
   simulate::PulseGeometry geometry_;
-  RecordedGain gain_;
+  MatchedFilterCoverage gain_;
   std::vector<double> weights_;
   std::vector<double> differences_;             // of the canceller
   std::vector<double> amplitudes_v_;            // of some targets, each in all looks

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "signal/search/canceller.hpp"
-#include "signal/search/steady_target.hpp"
+#include "signal/search/swerling0.hpp"
 #include "workflow/search/search_test_scene.hpp"
 
 namespace sarsim::workflow {
@@ -107,7 +107,7 @@ TEST(SearchTargets, KnowWhatATurningBeamMakesOfATargetThatRests) {
       for (const SearchInterval& interval : intervals_of(rows, options)) {
         SearchTargets targets(rows, options);
         (void)targets.take(interval);
-        const TargetSight sight = targets.findings().at(0).sight;
+        const TargetVisibility sight = targets.findings().at(0).sight;
         const double there_v =
             static_cast<double>(std::abs(interval.map.values.at(sight.row * interval.map.samples + sight.column)));
         largest_v = std::max(largest_v, there_v);
@@ -132,7 +132,7 @@ TEST(SearchTargets, ExpectWhatPassesACancellerInItsStrongestRow) {
     if (interval.number < 160 || interval.number > 200) continue;
     SearchTargets targets(rows, options);
     (void)targets.take(interval);
-    const TargetSight sight = targets.findings().at(0).sight;
+    const TargetVisibility sight = targets.findings().at(0).sight;
     const auto height_v = [&](std::size_t row) {
       return static_cast<double>(std::abs(interval.map.values.at(row * interval.map.samples + sight.column)));
     };
@@ -360,9 +360,9 @@ TEST(SearchTargets, KnowWhatTheEndOfARawRecordingLeavesOfAnEcho) {
   SearchOptions options;
   options.pulses = 64;
   scene.simulations[0].range_end_m = 7000.0;
-  const TargetSight whole = findings_of(recorded_rows(scene), options).at(0).sight;
+  const TargetVisibility whole = findings_of(recorded_rows(scene), options).at(0).sight;
   scene.simulations[0].range_end_m = 5749.5;
-  const TargetSight half = findings_of(recorded_rows(scene), options).at(0).sight;
+  const TargetVisibility half = findings_of(recorded_rows(scene), options).at(0).sight;
   EXPECT_NEAR(half.amplitude_v / whole.amplitude_v, 0.5, 0.02);
   EXPECT_NEAR(half.snr / whole.snr, 0.5, 0.03);
 }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/maths/constants.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "scene/script/writer.hpp"
 #include "support/test_folder.hpp"
 #include "workflow/search/doppler.hpp"
@@ -37,7 +37,7 @@ struct Heard {
 std::string refusal_of(const auto& work) {
   try {
     work();
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     std::string text;
     for (const core::Problem& problem : refused.problems) text += core::to_string(problem) + "\n";
     return text;

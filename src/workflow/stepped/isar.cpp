@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/clock.hpp"
 #include "core/text/number_text.hpp"
 #include "workflow/image/image_output.hpp"
@@ -36,17 +36,18 @@ IsarOptions isar_options(const IsarRequest& request) {
   IsarOptions options = request.options;
   if (options.algorithm == Algorithm::back_projection &&
       (options.motion == Motion::estimated || options.turn_rate_radps))
-    throw core::Refused("back-projection needs the path of the target as the scene has it",
-                        "leave out --motion estimated and --turn-rate, or choose --algorithm range-doppler");
+    throw core::InvalidRequest("back-projection needs the path of the target as the scene has it",
+                               "leave out --motion estimated and --turn-rate, or choose --algorithm range-doppler");
   if (options.turn_rate_radps && *options.turn_rate_radps == 0.0)
-    throw core::Refused("--turn-rate: without turning there is no cross-range");
+    throw core::InvalidRequest("--turn-rate: without turning there is no cross-range");
   expect_speed(options.fastest_mps);
-  if (options.oversampling == 0) throw core::Refused("--oversampling: a resolution cell needs a pixel", "1 or more");
+  if (options.oversampling == 0)
+    throw core::InvalidRequest("--oversampling: a resolution cell needs a pixel", "1 or more");
   options.autofocus = options.autofocus || options.motion == Motion::estimated;
   expect_image_ending(output_of(request), "--out");
   expect_no_sicd(output_of(request), "--out");
   if (request.magnitude && !is_envi(output_of(request)))
-    throw core::Refused("--magnitude makes ENVI images", "name the output .img");
+    throw core::InvalidRequest("--magnitude makes ENVI images", "name the output .img");
   return options;
 }
 
@@ -54,7 +55,7 @@ IsarOptions isar_options(const IsarRequest& request) {
 std::size_t platform_of_name(const std::string& name, const simulate::Acquisition& acquisition) {
   if (name.empty()) {
     if (const auto strongest = platform_of_targets(acquisition)) return *strongest;
-    throw core::Refused("no target is on a platform of its own", "name the target's platform with --platform");
+    throw core::InvalidRequest("no target is on a platform of its own", "name the target's platform with --platform");
   }
   const auto& platforms = acquisition.scene->platforms;
   const auto found = std::ranges::find_if(
@@ -64,13 +65,13 @@ std::size_t platform_of_name(const std::string& name, const simulate::Acquisitio
     names.reserve(platforms.size());
     for (const simulate::ResolvedPlatform& platform : platforms) names.push_back(platform.name);
     const std::string near = core::nearest_word(name, names);
-    throw core::Refused(fmt::format("--platform: the scene has no platform '{}'", name),
-                        near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+    throw core::InvalidRequest(fmt::format("--platform: the scene has no platform '{}'", name),
+                               near.empty() ? "" : fmt::format("did you mean '{}'?", near));
   }
   const auto index = static_cast<std::size_t>(found - platforms.begin());
   if (index == acquisition.link.platform)
-    throw core::Refused(fmt::format("--platform: '{}' carries the radar itself", found->name),
-                        "name the platform of the target");
+    throw core::InvalidRequest(fmt::format("--platform: '{}' carries the radar itself", found->name),
+                               "name the platform of the target");
   return index;
 }
 
@@ -116,8 +117,9 @@ class IsarRun {
     count_ = request_.bursts.value_or(all);
     const std::size_t step = request_.step > 0 ? request_.step : count_;
     if (count_ < 2 || count_ > all)
-      throw core::Refused(fmt::format("an image takes 2 to {} bursts (all that are recorded), not {}", all, count_),
-                          "choose other --bursts, or record for longer");
+      throw core::InvalidRequest(
+          fmt::format("an image takes 2 to {} bursts (all that are recorded), not {}", all, count_),
+          "choose other --bursts, or record for longer");
     for (std::size_t first = 0; first + count_ <= all; first += step) firsts_.push_back(first);
   }
 
@@ -142,9 +144,9 @@ class IsarRun {
 
   void find_problems() {
     core::Problems& problems = input_.problems;
-    std::ranges::move(remarks_on_isar(input_.rows, firsts_, count_, options_, control_), std::back_inserter(problems));
+    std::ranges::move(diagnose_isar(input_.rows, firsts_, count_, options_, control_), std::back_inserter(problems));
     problems = core::ranked(std::move(problems));
-    if (core::has_errors(problems)) throw core::Refused(problems);
+    if (core::has_errors(problems)) throw core::InvalidRequest(problems);
     observer_.remarks(problems);
   }
 
@@ -160,7 +162,7 @@ class IsarRun {
     rows.image.frame.speed_mps = 1.0;
     WrittenIsarImage written{path, firsts_[index], count_, std::move(image)};
     if (keeps())
-      written.kept = kept_image(rows, origin());
+      written.kept = in_memory_image(rows, origin());
     else
       write(rows, path);
     return written;
@@ -202,14 +204,14 @@ class IsarRun {
 
 }  // namespace
 
-core::Problems remarks_on_isar(const SteppedRows& rows, const std::vector<std::size_t>& firsts, std::size_t count,
-                               const IsarOptions& options, const core::WorkControl& control) {
+core::Problems diagnose_isar(const SteppedRows& rows, const std::vector<std::size_t>& firsts, std::size_t count,
+                             const IsarOptions& options, const core::WorkControl& control) {
   core::Problems problems;
   for (const std::size_t first : firsts) {
     if (control.stop != nullptr && control.stop->requested()) throw core::Interrupted();
     std::ranges::move(plan_isar_image(rows, first, count, options).problems, std::back_inserter(problems));
   }
-  std::ranges::move(remarks_on_stepped(rows, SteppedUse::isar, {}), std::back_inserter(problems));
+  std::ranges::move(diagnose_stepped(rows, SteppedUse::isar, {}), std::back_inserter(problems));
   return problems;
 }
 

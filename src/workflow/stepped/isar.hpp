@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/task/observer.hpp"
-#include "workflow/image/kept_image.hpp"
+#include "workflow/image/in_memory_image.hpp"
 #include "workflow/input/recording_input.hpp"
 #include "workflow/stepped/isar_scene.hpp"
 
@@ -32,8 +32,8 @@ struct WrittenIsarImage {
   std::filesystem::path file;   ///< As it is, or would be, named.
   std::size_t first_burst = 0;  ///< Of the recording, from 0.
   std::size_t bursts = 0;
-  IsarImage image;                  ///< Without values, which the file holds.
-  std::optional<KeptImage> kept{};  ///< Where it was not written.
+  IsarImage image;                      ///< Without values, which the file holds.
+  std::optional<InMemoryImage> kept{};  ///< Where it was not written.
 };
 
 /// Images that were made of a turning target.
@@ -51,12 +51,13 @@ struct IsarReport {
 /// @param firsts   first burst of each image
 /// @param options  with the platform of the target
 /// @throw Interrupted
-[[nodiscard]] core::Problems remarks_on_isar(const SteppedRows& rows, const std::vector<std::size_t>& firsts,
-                                             std::size_t count, const IsarOptions& options,
-                                             const core::WorkControl& control = {});
+[[nodiscard]] core::Problems diagnose_isar(const SteppedRows& rows, const std::vector<std::size_t>& firsts,
+                                           std::size_t count, const IsarOptions& options,
+                                           const core::WorkControl& control = {});
 
-/// Images of a turning target, in cross-range and range (docs/theory/stepped-frequency.md). Throws core::Refused with
-/// what keeps it from being done, before anything is written; Interrupted; failures of files as the sinks tell them.
+/// Images of a turning target, in cross-range and range (docs/theory/stepped-frequency.md). Throws core::InvalidRequest
+/// with what keeps it from being done, before anything is written; Interrupted; failures of files as the sinks tell
+/// them.
 [[nodiscard]] IsarReport isar(const IsarRequest& request, const core::Observer& observer = {});
 
 }  // namespace sarsim::workflow

@@ -85,7 +85,7 @@ IsarRequest isar_request(const std::string& input, const GivenWords& given) {
   IsarRequest request;
   request.input.path = input;
   const TakenProblems problems = isar_option_table().take_words(given, request);
-  if (!problems.empty()) throw core::Refused(core::Problems{problems.early.front()});
+  if (!problems.empty()) throw core::InvalidRequest(core::Problems{problems.early.front()});
   return request;
 }
 

@@ -146,9 +146,9 @@ void write_samples(const ProfileSeries& series, const ProfileOrigin& origin, sce
 
 }  // namespace
 
-KeptImage kept_profiles(const ProfileSeries& series, const ProfileOrigin& origin) {
+InMemoryImage kept_profiles(const ProfileSeries& series, const ProfileOrigin& origin) {
   const auto held = std::make_shared<const ProfileSeries>(series);
-  KeptImage kept{{header_of(series, origin), product_of(series, origin)}, {}};
+  InMemoryImage kept{{header_of(series, origin), product_of(series, origin)}, {}};
   kept.rows = {series.rows.size(), series.axis.count, [held](std::size_t row, std::span<std::complex<float>> out) {
                  std::ranges::transform(held->row(row), out.begin(),
                                         [](const auto& value) { return std::complex<float>(value); });

@@ -6,7 +6,7 @@
 
 #include "core/task/stop.hpp"
 #include "scene/model/scene.hpp"
-#include "workflow/image/kept_image.hpp"
+#include "workflow/image/in_memory_image.hpp"
 #include "workflow/stepped/profile_series.hpp"
 
 namespace sarsim::workflow {
@@ -27,7 +27,7 @@ struct ProfileOrigin {
 };
 
 /// What profiles are, as they stay in memory.
-[[nodiscard]] KeptImage kept_profiles(const ProfileSeries& series, const ProfileOrigin& origin);
+[[nodiscard]] InMemoryImage kept_profiles(const ProfileSeries& series, const ProfileOrigin& origin);
 
 /// Files that profiles become under a name: data, and the header of ENVI.
 [[nodiscard]] std::vector<std::filesystem::path> files_of_profiles(const std::filesystem::path& path);

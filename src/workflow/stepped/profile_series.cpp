@@ -110,12 +110,12 @@ double search_around(const HeldTarget& target, double cell_m) {
 
 }  // namespace
 
-RangeStretch shown_ranges(const SteppedRows& rows) {
+RangeResampling shown_ranges(const SteppedRows& rows) {
   const signal::SeenDelays seen = rows.band->seen_delays();
   const signal::SteppedWaveform& w = rows.band->waveform();
   const double c = w.light_speed_mps;
   const double rounding_m = radar::range_of_cycle(w.sample_rate_hz, 1e-6 * c);
-  RangeStretch shown{radar::range_of(seen.first_s, c), radar::range_of(seen.last_s, c)};
+  RangeResampling shown{radar::range_of(seen.first_s, c), radar::range_of(seen.last_s, c)};
   if (shown.from_m < rows.from_m + rounding_m) shown.from_m = rows.from_m;
   if (shown.to_m > rows.to_m - rounding_m) shown.to_m = rows.to_m;
   return shown;
@@ -123,7 +123,7 @@ RangeStretch shown_ranges(const SteppedRows& rows) {
 
 ProfileSeries make_profiles(const SteppedRows& rows, const SeriesOptions& options, const core::WorkControl& control,
                             const core::ProgressReport& progress) {
-  const RangeStretch shown = shown_ranges(rows);
+  const RangeResampling shown = shown_ranges(rows);
   const signal::ProfileMaker maker(*rows.band, options.window, options.from_m.value_or(shown.from_m),
                                    options.to_m.value_or(shown.to_m), options.oversampling);
   ProfileSeries series;

@@ -66,7 +66,7 @@ struct ProfileSeries {
 };
 
 /// A stretch of slant ranges, c/2 times the delay.
-struct RangeStretch {
+struct RangeResampling {
   double from_m = 0.0;
   double to_m = 0.0;
 };
@@ -75,7 +75,7 @@ struct RangeStretch {
 /// that begins after it nothing is known, so that a window of CENTRE ends half a pulse behind that sample, one of BEGIN
 /// at it, and one of raw modulated pulses where half of the echo is left. Rows of a scene are long enough for all of
 /// the window. Where nothing of it is shown, `to_m` is not above `from_m`.
-[[nodiscard]] RangeStretch shown_ranges(const SteppedRows& rows);
+[[nodiscard]] RangeResampling shown_ranges(const SteppedRows& rows);
 
 /// Makes the profiles of all illuminated bursts. The same bytes for any number of threads. Throws Interrupted, and
 /// std::invalid_argument where the ranges are none.

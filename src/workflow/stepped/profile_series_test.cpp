@@ -35,7 +35,7 @@ double last_sample_m(const SteppedRows& rows) {
 TEST(ShownRanges, OfARecordingEndWithTheEchoThatTheLastSampleHoldsTheBeginningOf) {
   for (const auto position : {scene::Simulation::PulsePosition::begin, scene::Simulation::PulsePosition::centre}) {
     const SteppedRows rows = recorded(short_scene(position));
-    const RangeStretch shown = shown_ranges(rows);
+    const RangeResampling shown = shown_ranges(rows);
     const double ahead_m = position == scene::Simulation::PulsePosition::centre ? 0.25 * c * 200e-9 : 0.0;
     EXPECT_EQ(shown.from_m, 950.0);
     EXPECT_NEAR(shown.to_m, last_sample_m(rows) + ahead_m, 1e-6);
@@ -54,7 +54,7 @@ TEST(ShownRanges, OfASceneAreAllOfItsWindow) {
     scene.simulations[0] = recorded_for_stepped(scene.simulations[0], window);
     const SteppedRows rows = stepped_rows_of_scene(
         std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, 0)), window);
-    const RangeStretch shown = shown_ranges(rows);
+    const RangeResampling shown = shown_ranges(rows);
     EXPECT_EQ(shown.from_m, 950.0);
     EXPECT_EQ(shown.to_m, 1076.0);
   }
@@ -66,7 +66,7 @@ TEST(ShownRanges, AreNoneWhereNoChirpIsRecordedByHalf) {
   scene.radars[0].bandwidth_hz = 6e6;
   scene.radars[0].pulse_width_s = 10e-6;
   const SteppedRows rows = recorded(scene);
-  const RangeStretch shown = shown_ranges(rows);
+  const RangeResampling shown = shown_ranges(rows);
   EXPECT_LT(shown.to_m, shown.from_m);
 }
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/clock.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string stretch_text(const RangeStretch& ranges) {
+std::string stretch_text(const RangeResampling& ranges) {
   const auto to_millimetres = [](double range_m) { return core::format_number(std::round(range_m * 1e3) / 1e3); };
   return fmt::format("{} m to {} m", to_millimetres(ranges.from_m), to_millimetres(ranges.to_m));
 }
@@ -38,21 +38,22 @@ SeriesOptions series_options(const ProfilesRequest& request) {
   options.from_m = request.from_m;
   options.to_m = request.to_m;
   options.oversampling = request.oversampling;
-  if (options.oversampling == 0) throw core::Refused("--oversampling: a resolution cell needs a bin", "1 or more");
-  if (!(request.illumination_db >= 0.0)) throw core::Refused("--illumination must not be negative");
+  if (options.oversampling == 0)
+    throw core::InvalidRequest("--oversampling: a resolution cell needs a bin", "1 or more");
+  if (!(request.illumination_db >= 0.0)) throw core::InvalidRequest("--illumination must not be negative");
   options.illuminated_share = std::pow(10.0, -0.1 * request.illumination_db);
   const bool compensated = options.velocity != SeriesOptions::Velocity::none;
   // A mean of profiles in which the target is elsewhere would be of no use.
   options.align = request.align || (request.set != ProfileGrouping::bursts && compensated);
   if (options.align && !compensated)
-    throw core::Refused("--align moves profiles by the speed that is compensated, but there is none",
-                        "give --velocity scene, estimated or a number");
+    throw core::InvalidRequest("--align moves profiles by the speed that is compensated, but there is none",
+                               "give --velocity scene, estimated or a number");
   return options;
 }
 
 // What of the script's window is not in the recording, where the user did not choose ranges.
-void remark_on_window(SteppedInput& input, const SeriesOptions& options, const RangeStretch& shown) {
-  const RangeStretch window{input.rows.from_m, input.rows.to_m};
+void remark_on_window(SteppedInput& input, const SeriesOptions& options, const RangeResampling& shown) {
+  const RangeResampling window{input.rows.from_m, input.rows.to_m};
   const bool short_begin = !options.from_m && shown.from_m > window.from_m;
   const bool short_end = !options.to_m && shown.to_m < window.to_m;
   if (!short_begin && !short_end) return;
@@ -63,24 +64,25 @@ void remark_on_window(SteppedInput& input, const SeriesOptions& options, const R
 }
 
 void expect_ranges(SteppedInput& input, const SeriesOptions& options) {
-  const RangeStretch shown = shown_ranges(input.rows);
+  const RangeResampling shown = shown_ranges(input.rows);
   if (!(shown.to_m > shown.from_m))
-    throw core::Refused("the recording is too short: no range of the script's window has half of its echo in it",
-                        "record a longer range window");
+    throw core::InvalidRequest("the recording is too short: no range of the script's window has half of its echo in it",
+                               "record a longer range window");
   const double from_m = options.from_m.value_or(shown.from_m);
   const double to_m = options.to_m.value_or(shown.to_m);
   const std::string recorded = stretch_text(shown);
   const std::string hint = fmt::format("the recording reaches from {}; see --from and --to", recorded);
-  if (!(to_m > from_m)) throw core::Refused(fmt::format("the range {} is empty", stretch_text({from_m, to_m})), hint);
+  if (!(to_m > from_m))
+    throw core::InvalidRequest(fmt::format("the range {} is empty", stretch_text({from_m, to_m})), hint);
   if (to_m <= shown.from_m || from_m >= shown.to_m)
-    throw core::Refused(fmt::format("nothing was recorded from {}", stretch_text({from_m, to_m})), hint);
+    throw core::InvalidRequest(fmt::format("nothing was recorded from {}", stretch_text({from_m, to_m})), hint);
   const double bins = (to_m - from_m) /
                       (radar::range_of_cycle(input.rows.band->band_hz(), input.rows.band->waveform().light_speed_mps) /
                        static_cast<double>(options.oversampling));
   constexpr double max_bins = 0x1p26;
   if (bins > max_bins)
-    throw core::Refused(fmt::format("a profile of {:.3g} bins cannot be held", bins),
-                        "choose fewer ranges with --from and --to, or less --oversampling");
+    throw core::InvalidRequest(fmt::format("a profile of {:.3g} bins cannot be held", bins),
+                               "choose fewer ranges with --from and --to, or less --oversampling");
   if (from_m < shown.from_m || to_m > shown.to_m)
     input.problems.push_back(core::problem_of(
         core::Severity::warning, "the ranges go beyond those that were recorded: the profiles are empty there",
@@ -90,7 +92,7 @@ void expect_ranges(SteppedInput& input, const SeriesOptions& options) {
 }
 
 void find_problems(SteppedInput& input, const SeriesOptions& options) {
-  std::ranges::move(remarks_on_profiles(input.rows, {options.velocity, options.speed_mps}),
+  std::ranges::move(diagnose_profiles(input.rows, {options.velocity, options.speed_mps}),
                     std::back_inserter(input.problems));
   input.problems = core::ranked(std::move(input.problems));
 }
@@ -100,9 +102,9 @@ std::size_t held_row_of(const ProfileSeries& series, std::optional<std::size_t> 
   if (!burst) return typical_row(series);
   const auto found = std::ranges::find(series.rows, *burst, &ProfileRow::burst);
   if (found == series.rows.end())
-    throw core::Refused(fmt::format("--burst: burst {} is not illuminated", *burst + 1),
-                        fmt::format("the recording has {} bursts; illuminated are {} to {}", bursts,
-                                    series.rows.front().burst + 1, series.rows.back().burst + 1));
+    throw core::InvalidRequest(fmt::format("--burst: burst {} is not illuminated", *burst + 1),
+                               fmt::format("the recording has {} bursts; illuminated are {} to {}", bursts,
+                                           series.rows.front().burst + 1, series.rows.back().burst + 1));
   return static_cast<std::size_t>(found - series.rows.begin());
 }
 
@@ -114,8 +116,9 @@ std::string window_words_of(const ProfilesRequest& request) {
 bool keeps(const ProfilesRequest& request) { return request.keep && request.output.empty(); }
 
 // Profiles as they are asked for, written or kept.
-std::optional<KeptImage> made_set(const ProfileSeries& series, const SteppedInput& input,
-                                  const ProfilesRequest& request, const fs::path& output, const core::StopFlag* stop) {
+std::optional<InMemoryImage> made_set(const ProfileSeries& series, const SteppedInput& input,
+                                      const ProfilesRequest& request, const fs::path& output,
+                                      const core::StopFlag* stop) {
   ProfileOrigin origin{request.input.path,
                        request.input.script,
                        words_of_overrides(request.input.overrides),
@@ -128,7 +131,7 @@ std::optional<KeptImage> made_set(const ProfileSeries& series, const SteppedInpu
                        input.rows.acquisition->link.name,
                        input.rows.acquisition->scene->options};
   if (!keeps(request) && output.has_parent_path()) fs::create_directories(output.parent_path());
-  const auto write = [&](const ProfileSeries& made) -> std::optional<KeptImage> {
+  const auto write = [&](const ProfileSeries& made) -> std::optional<InMemoryImage> {
     origin.aspects_rad = aspects_rad(input.rows, made);
     if (keeps(request)) return kept_profiles(made, origin);
     write_profiles(made, origin, output, request.replace, stop);
@@ -165,12 +168,12 @@ const char* word_of(ProfileGrouping grouping) {
   return "bursts";
 }
 
-core::Problems remarks_on_profiles(const SteppedRows& rows, const VelocityChoice& velocity) {
+core::Problems diagnose_profiles(const SteppedRows& rows, const VelocityChoice& velocity) {
   std::optional<double> speed_mps;
   if (velocity.velocity == SeriesOptions::Velocity::given) speed_mps = velocity.speed_mps;
   if (velocity.velocity == SeriesOptions::Velocity::scene || velocity.velocity == SeriesOptions::Velocity::estimated)
     speed_mps = mean_speed_mps(rows, rows.bursts / 2, 1);
-  return remarks_on_stepped(rows, SteppedUse::profiles, speed_mps);
+  return diagnose_stepped(rows, SteppedUse::profiles, speed_mps);
 }
 
 ProfilesReport profiles(const ProfilesRequest& request, const core::Observer& observer) {
@@ -188,8 +191,8 @@ ProfilesReport profiles(const ProfilesRequest& request, const core::Observer& ob
   observer.remarks(input.problems);
   report.series = make_profiles(input.rows, options, control, observer.stage(report.output.string()));
   if (report.series.rows.empty())
-    throw core::Refused("no burst is illuminated: the targets give no echo",
-                        "see sarsim check, and the beam of the script's radar");
+    throw core::InvalidRequest("no burst is illuminated: the targets give no echo",
+                               "see sarsim check, and the beam of the script's radar");
   report.held_row = held_row_of(report.series, request.burst, input.rows.bursts);
   report.kept = made_set(report.series, input, request, report.output, observer.stop);
   report.source = request.input.path;

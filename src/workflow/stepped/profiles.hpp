@@ -8,7 +8,7 @@
 
 #include "core/task/observer.hpp"
 #include "signal/sar/sar_window.hpp"
-#include "workflow/image/kept_image.hpp"
+#include "workflow/image/in_memory_image.hpp"
 #include "workflow/input/recording_input.hpp"
 #include "workflow/stepped/profile_series.hpp"
 #include "workflow/stepped/velocity_choice.hpp"
@@ -46,7 +46,7 @@ struct ProfilesReport {
   std::size_t simulation = 0;  ///< Position in the script's list.
   std::filesystem::path output{};
   std::vector<std::filesystem::path> files{};  ///< That were written.
-  std::optional<KeptImage> kept{};             ///< What was not.
+  std::optional<InMemoryImage> kept{};         ///< What was not.
   ProfileGrouping set = ProfileGrouping::bursts;
   SeriesOptions::Velocity velocity = SeriesOptions::Velocity::none;
   std::size_t bursts = 0;                    ///< Whole ones of the recording.
@@ -59,10 +59,10 @@ struct ProfilesReport {
 };
 
 /// What `profiles` says of the bursts before it works, for a choice of the speed that is compensated.
-[[nodiscard]] core::Problems remarks_on_profiles(const SteppedRows& rows, const VelocityChoice& velocity);
+[[nodiscard]] core::Problems diagnose_profiles(const SteppedRows& rows, const VelocityChoice& velocity);
 
 /// Range profiles of a stepped carrier (docs/theory/stepped-frequency.md), written in the format of the output's
-/// extension. Throws core::Refused with what keeps it from being done, before anything is written; Interrupted;
+/// extension. Throws core::InvalidRequest with what keeps it from being done, before anything is written; Interrupted;
 /// failures of files as the sinks tell them.
 [[nodiscard]] ProfilesReport profiles(const ProfilesRequest& request, const core::Observer& observer = {});
 

@@ -64,13 +64,13 @@ ProfilesRequest profiles_request(const std::string& input, const GivenWords& giv
   // What was said so until --set came to mean values of the script, here as elsewhere.
   for (auto [word, last] = given.equal_range("--set"); word != last; ++word)
     if (word->second == "bursts" || word->second == "scans" || word->second == "encounter")
-      throw core::Refused(
+      throw core::InvalidRequest(
           fmt::format("--set {}: a field of the script and its value are expected", word->second),
           fmt::format("one profile for each burst, scan or encounter is asked for with --group {}", word->second));
   ProfilesRequest request;
   request.input.path = input;
   const TakenProblems problems = profiles_option_table().take_words(given, request);
-  if (!problems.empty()) throw core::Refused(core::Problems{problems.early.front()});
+  if (!problems.empty()) throw core::InvalidRequest(core::Problems{problems.early.front()});
   return request;
 }
 

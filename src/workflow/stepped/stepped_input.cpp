@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "scene/check/check.hpp"
 
 namespace sarsim::workflow {
@@ -16,7 +16,7 @@ SteppedInput of_script(const RecordingArguments& arguments, SteppedUse use, cons
   std::erase_if(input.problems, [](const core::Problem& p) { return p.subject.field == "processing"; });
   std::ranges::move(input.problems, std::back_inserter(stepped.problems));
   stepped.sources = std::move(input.sources);
-  if (core::has_errors(stepped.problems)) throw core::Refused(core::ranked(std::move(stepped.problems)));
+  if (core::has_errors(stepped.problems)) throw core::InvalidRequest(core::ranked(std::move(stepped.problems)));
   return stepped;
 }
 

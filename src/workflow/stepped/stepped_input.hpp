@@ -27,7 +27,7 @@ struct SteppedInput {
 [[nodiscard]] SteppedInput stepped_input_of(scene::Scene& scene, std::size_t number,
                                             const simulate::Acquisition& planned, SteppedUse use);
 
-/// Opens what the arguments name; throws core::Refused with all problems where it cannot be used.
+/// Opens what the arguments name; throws core::InvalidRequest with all problems where it cannot be used.
 [[nodiscard]] SteppedInput open_stepped_input(const RecordingArguments& arguments, SteppedUse use,
                                               const core::WorkControl& control);
 

@@ -22,7 +22,7 @@ TEST(ProfilesRequest, IsMadeOfWords) {
   EXPECT_EQ(request.input.overrides.seed, UINT64_MAX);
   EXPECT_EQ(request.input.overrides.pulse, scene::PulseDefinition::ideal);
   EXPECT_EQ(profiles_request("a.scr", {}).velocity.words, "none");
-  EXPECT_THROW(static_cast<void>(profiles_request("a.scr", {{"--velocity", "fast"}})), core::Refused);
+  EXPECT_THROW(static_cast<void>(profiles_request("a.scr", {{"--velocity", "fast"}})), core::InvalidRequest);
 }
 
 TEST(IsarRequest, IsMadeOfWords) {
@@ -38,7 +38,7 @@ TEST(IsarRequest, IsMadeOfWords) {
   EXPECT_EQ(signal::to_string(request.options.range_window), "kaiser:4");
   EXPECT_EQ(signal::to_string(request.options.azimuth_window), "hann");
   EXPECT_EQ(request.input.overrides.profile, scene::Profile::classic);
-  EXPECT_THROW(static_cast<void>(isar_request("a.scr", {{"--bursts", "1"}})), core::Refused);
+  EXPECT_THROW(static_cast<void>(isar_request("a.scr", {{"--bursts", "1"}})), core::InvalidRequest);
 }
 
 }  // namespace sarsim::workflow::stepped_options_test

@@ -156,7 +156,7 @@ core::Problems problems_of_stepped(const simulate::Acquisition& acquisition, Ste
   return problems;
 }
 
-core::Problems remarks_on_stepped(const SteppedRows& rows, SteppedUse use, std::optional<double> speed_mps) {
+core::Problems diagnose_stepped(const SteppedRows& rows, SteppedUse use, std::optional<double> speed_mps) {
   core::Problems problems;
   const signal::SteppedLimits limits =
       signal::limits_of(*rows.band, rows.acquisition->link.repetition.mean_interval_s());

@@ -54,8 +54,7 @@ enum class SteppedUse {
 /// What makes profiles ambiguous, lost or blurred (warnings): steps wider than the pulse's band, gates that leave out
 /// echoes, targets that fold onto each other, and of profiles targets whose speed shifts and smears them.
 /// @param speed_mps  that is compensated; nothing: none
-[[nodiscard]] core::Problems remarks_on_stepped(const SteppedRows& rows, SteppedUse use,
-                                                std::optional<double> speed_mps);
+[[nodiscard]] core::Problems diagnose_stepped(const SteppedRows& rows, SteppedUse use, std::optional<double> speed_mps);
 
 /// The simulation as it is wanted recorded: raw, longer by a pulse at its end and, for CENTRE, by half a pulse, in
 /// whole samples, at its start. The sampling frequency stays the script's.

@@ -306,7 +306,7 @@ TEST(ProblemsOfStepped, SayWhatKeepsARecordingFromBeingUsed) {
 
 TEST(RemarksOnStepped, SayWhatMakesProfilesAmbiguousOrBlurred) {
   const auto remarks = [](const scene::Scene& scene, std::optional<double> speed = {}) {
-    return text_of(remarks_on_stepped(rows_of(scene), SteppedUse::profiles, speed));
+    return text_of(diagnose_stepped(rows_of(scene), SteppedUse::profiles, speed));
   };
   scene::Scene scene = stepped_scene(0.064 - 1.0 / 4000.0);
   scene.targets.push_back(simulate::target_on("Earth", {3000.0, 0.0, 0.0}));

@@ -6,7 +6,7 @@
 #include "radar/path/path.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/run/sampled_views.hpp"
-#include "workflow/focus/recorded_gain.hpp"
+#include "workflow/focus/matched_filter_coverage.hpp"
 #include "workflow/stepped/profile_series.hpp"
 #include "workflow/stepped/stepped_rows.hpp"
 
@@ -35,7 +35,7 @@ std::vector<BurstTruth> truth_of_burst(const SteppedRows& rows, std::size_t burs
   std::vector<BurstTruth> truth(acquisition.scene->scatterers.size());
   simulate::PulseGeometry geometry(*acquisition.scene, acquisition.link);
   const bool compressed = acquisition.reception.is_compressed();
-  const RecordedGain gain(
+  const MatchedFilterCoverage gain(
       acquisition, acquisition.reception.columns, compressed ? acquisition.link.window : [](double) { return 1.0; });
   for (std::size_t p = 0; p < pulses; ++p) {
     geometry.set_pulse(pulse_of(rows, burst, p));

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/maths/constants.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "raster/format/envi.hpp"
 #include "scene/script/writer.hpp"
 #include "support/test_folder.hpp"
@@ -26,7 +26,7 @@ using testing::HasSubstr;
 std::string refusal_of_stepped(const auto& work) {
   try {
     work();
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     std::string text;
     for (const core::Problem& problem : refused.problems) text += core::to_string(problem) + "\n";
     return text;
@@ -142,7 +142,7 @@ TEST_F(SteppedWorkflow, ProfilesRefuseBeforeAnythingIsWritten) {
   EXPECT_THAT(refused([](ProfilesRequest& r) { r.from_m = 4000.0, r.to_m = 4010.0; }),
               HasSubstr("nothing was recorded"));
   EXPECT_EQ(folder_.entries(), 1U);
-  EXPECT_THROW((void)velocity_choice("fast"), core::Refused);
+  EXPECT_THROW((void)velocity_choice("fast"), core::InvalidRequest);
   EXPECT_EQ(velocity_choice("-12.5").speed_mps, -12.5);
 }
 

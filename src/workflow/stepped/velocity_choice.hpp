@@ -13,13 +13,13 @@ struct VelocityChoice {
   std::string words = "none";  ///< How files name it.
 };
 
-/// none, scene, estimated or a number of m/s; throws core::Refused for anything else.
+/// none, scene, estimated or a number of m/s; throws core::InvalidRequest for anything else.
 [[nodiscard]] VelocityChoice velocity_choice(const std::string& text);
 
-/// Throws core::Refused where a speed to look through is none, above 0 and below 1e6 m/s.
+/// Throws core::InvalidRequest where a speed to look through is none, above 0 and below 1e6 m/s.
 void expect_speed(double fastest_mps);
 
-/// Throws core::Refused where a search for the speed of such bursts would try too many.
+/// Throws core::InvalidRequest where a search for the speed of such bursts would try too many.
 void expect_searchable(double fastest_mps, const SteppedRows& rows);
 
 }  // namespace sarsim::workflow

@@ -135,9 +135,9 @@ class SweepRunner {
     rules_.threads = plan.threads;
     rules_.begin = [this](const SweepRow& row) { journal_.add_begun(row); };
     rules_.jobs = plan.jobs;
-    if (request.discard && request.follow_up) {
+    if (request.discard && request.post_processing) {
       scratch_.emplace();
-      rules_.follow_up_folder = scratch_->path();
+      rules_.post_processing_folder = scratch_->path();
     }
   }
 
@@ -182,7 +182,7 @@ class SweepRunner {
       if (row.done) journal_.add(row);
     };
     const scene::Scene scene = plan_.sweep.scene(request_.scene, variation, none, observer_.stop);
-    if (!none.empty()) throw core::Refused(std::move(none));
+    if (!none.empty()) throw core::InvalidRequest(std::move(none));
     SweptScene swept{scene, {request_.script, {}, {}, request_.overrides, {}, request_.held}};
     plan_.sweep.add_to(swept.source.overrides, variation);
     remarks_.add(variation, 1, run_variation(swept, plan_.products, rows, rules_, observer_.stop, note));

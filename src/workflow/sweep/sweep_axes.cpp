@@ -11,7 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "core/hash/fnv1a.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/stop_points.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
@@ -190,15 +190,15 @@ std::string SweepAxis::let_word(std::size_t value) const {
 Sweep::Sweep(const scene::Scene& scene, const SweepValues& values, SceneSource source)
     : source_(std::move(source)), folder_(values.folder), table_(values.table) {
   if (values.settings.empty() && values.table.empty())
-    throw core::Refused("sweep: nothing varies",
-                        "say what does with --set, for instance --set seed=1..10, or with --values FILE.csv");
+    throw core::InvalidRequest("sweep: nothing varies",
+                               "say what does with --set, for instance --set seed=1..10, or with --values FILE.csv");
   core::Problems problems;
   read_axes(scene, values, problems);
   group_axes(values.paired);
   if (problems.empty()) draw(scene.options.seed, values, problems);
   if (problems.empty()) set_size(problems);
   name_values(problems);
-  if (!problems.empty()) throw core::Refused(std::move(problems));
+  if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
   look_at_source();
 }
 
@@ -421,7 +421,7 @@ scene::Scene Sweep::read_anew(std::size_t variation, core::Problems& problems, c
   for (std::size_t i = 0; i < axes_.size(); ++i)
     if (axes_[i].let != nullptr) overrides.let.push_back(axes_[i].let_word(value_of(variation, i)));
   try {
-    SceneInput input = read_scene(source_.file, overrides, Scrutiny::reading, {1, stop});
+    SceneInput input = read_scene(source_.file, overrides, CheckLevel::reading, {1, stop});
     std::erase_if(input.problems, [](const core::Problem& p) { return p.severity != core::Severity::error; });
     problems = std::move(input.problems);
     if (stamp_of(source_.files) != source_stamp_)
@@ -429,7 +429,7 @@ scene::Scene Sweep::read_anew(std::size_t variation, core::Problems& problems, c
           mistake(fmt::format("'{}' or a file that it names has changed since the sweep began", source_.file),
                   "start the sweep again"));
     return std::move(input.scene);
-  } catch (core::Refused& refused) {
+  } catch (core::InvalidRequest& refused) {
     problems = std::move(refused.problems);
     return {};
   }

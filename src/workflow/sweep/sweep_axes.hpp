@@ -68,7 +68,7 @@ struct SweepAxis {
 class Sweep {
  public:
   /// @param source  of the scene, where names of [let] may vary
-  /// @throws core::Refused with everything that is wrong with the values
+  /// @throws core::InvalidRequest with everything that is wrong with the values
   Sweep(const scene::Scene& scene, const SweepValues& values, SceneSource source = {});
 
   [[nodiscard]] std::size_t size() const { return size_; }

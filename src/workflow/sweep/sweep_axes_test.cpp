@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 
 namespace sarsim::workflow {
 namespace sweep_axes_test {
@@ -25,7 +25,7 @@ scene::Scene small_scene() {
 std::string complaint(const std::vector<std::string>& settings, bool paired = false) {
   try {
     (void)Sweep(small_scene(), {settings, paired});
-  } catch (const core::Refused& error) {
+  } catch (const core::InvalidRequest& error) {
     std::string text;
     for (const core::Problem& problem : error.problems) text += core::to_string(problem) + "\n";
     return text;
@@ -145,7 +145,7 @@ TEST(SweepAxes, SayThatTheDrawsOfALawDoNotDiffer) {
     values.draws = draws;
     try {
       (void)Sweep(small_scene(), values);
-    } catch (const core::Refused& error) {
+    } catch (const core::InvalidRequest& error) {
       return core::to_string(error.problems.at(0));
     }
     return std::string("none");

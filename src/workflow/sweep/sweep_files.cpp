@@ -11,7 +11,7 @@
 
 #include "core/os/file_identity.hpp"
 #include "core/os/input_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/text/counted.hpp"
 #include "workflow/input/output_names.hpp"
 #include "workflow/sweep/sweep_journal.hpp"
@@ -77,7 +77,7 @@ class OutputWatch {
   void refuse_any() && {
     if (problems_.empty()) return;
     if (more_ > 0) problems_.front().message += fmt::format(", and {}", core::counted(more_, "other"));
-    throw core::Refused(std::move(problems_));
+    throw core::InvalidRequest(std::move(problems_));
   }
 
  private:
@@ -113,7 +113,7 @@ void look_at_row(const SweepRequest& request, const SweepFiles& files, const Swe
     watch.look_at(files.beside(row.file), request.force || row.begun);
   if (row.done || row.table) return;
   // What a follow-up left of a recording that is kept is made anew.
-  for (const fs::path& path : files_of(request.follow_up, files.beside(fs::path(row.file).stem().string())))
+  for (const fs::path& path : files_of(request.post_processing, files.beside(fs::path(row.file).stem().string())))
     watch.look_at(path, request.force || row.recorded);
 }
 
@@ -130,7 +130,7 @@ void expect_free_files(const SweepRequest& request, const Sweep& sweep, const st
   const SweepFiles files(request);
   InputList sources = request.sources;
   sources.add(sweep.sources());
-  sources.add(files_read_by(request.follow_up));
+  sources.add(files_read_by(request.post_processing));
   OutputWatch watch(request, std::move(sources));
   if (!request.discard)
     for (const SweepRow& row : rows) look_at_row(request, files, row, watch);
@@ -138,8 +138,9 @@ void expect_free_files(const SweepRequest& request, const Sweep& sweep, const st
     const fs::path path = files.of_part(extension);
     if (!request.discard &&
         std::ranges::any_of(rows, [&](const SweepRow& row) { return files.beside(row.file) == path; }))
-      throw core::Refused("'" + path.string() + "' is the name of a variation's file and of a table of the sweep",
-                          "give the table another name with --table");
+      throw core::InvalidRequest(
+          "'" + path.string() + "' is the name of a variation's file and of a table of the sweep",
+          "give the table another name with --table");
     const bool journal = path.extension() == ".journal";
     watch.look_at_own(path, journal ? takes_journal_lines(path) : is_own_table(path));
   }

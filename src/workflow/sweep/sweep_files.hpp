@@ -31,7 +31,8 @@ class SweepFiles {
   std::string part_stem_;
 };
 
-/// Throws core::Refused where a file, or what is in the place of the folder, stands in the way of what a sweep makes.
+/// Throws core::InvalidRequest where a file, or what is in the place of the folder, stands in the way of what a sweep
+/// makes.
 void expect_free_files(const SweepRequest& request, const Sweep& sweep, const std::vector<SweepRow>& rows);
 
 }  // namespace sarsim::workflow

@@ -15,7 +15,7 @@
 
 #include "core/os/input_file.hpp"
 #include "core/os/raw_file.hpp"
-#include "core/report/for_now.hpp"
+#include "core/report/retryable.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim::workflow {
@@ -246,7 +246,7 @@ void expect_nobody_at_work(const fs::path& folder, const std::string& stem, cons
             : fmt::format("part {}/{} of this sweep is being made by another process", other.index + 1, other.count),
         {}, {}, "wait for it, or end it and go on with --resume");
     problem.place.file = entry.path().string();
-    throw core::RefusedForNow(core::Problems{std::move(problem)});
+    throw core::RetryableError(core::Problems{std::move(problem)});
   }
 }
 

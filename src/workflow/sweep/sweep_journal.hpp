@@ -18,7 +18,7 @@ namespace sarsim::workflow {
 class SweepJournal {
  public:
   /// Opens the journal for additions, or begins it anew.
-  /// @throws std::system_error "cannot write FILE"; core::RefusedForNow where another process has it
+  /// @throws std::system_error "cannot write FILE"; core::RetryableError where another process has it
   SweepJournal(const std::filesystem::path& path, bool keep);
 
   /// Notes a product; from any thread.
@@ -36,7 +36,7 @@ class SweepJournal {
 
 /// Looks whether other processes are making variations of a part of a sweep, which shows in the journals of
 /// `read_journals`.
-/// @throws core::RefusedForNow where one does
+/// @throws core::RetryableError where one does
 void expect_nobody_at_work(const std::filesystem::path& folder, const std::string& stem, const SweepPart& part);
 
 /// What the journals of a sweep say, by the name of the product: those of all its parts, which are `stem`.journal and

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/report/for_now.hpp"
+#include "core/report/retryable.hpp"
 
 namespace sarsim::workflow {
 namespace sweep_journal_test {
@@ -133,7 +133,7 @@ TEST_F(SweepJournals, TellWhoMakesVariationsOfAPart) {
   const auto refusal_of = [this](SweepPart part) -> std::string {
     try {
       expect_nobody_at_work(folder_, "sweep", part);
-    } catch (const core::RefusedForNow& refused) {
+    } catch (const core::RetryableError& refused) {
       return refused.problems.at(0).message;
     }
     return {};
@@ -149,7 +149,7 @@ TEST_F(SweepJournals, TellWhoMakesVariationsOfAPart) {
     EXPECT_EQ(refusal_of({0, 3}), sentence) << "1, 4, 7, 10 has 10 as well";
     EXPECT_EQ(refusal_of({0, 4}), "");
     EXPECT_EQ(refusal_of({0, 2}), "");
-    EXPECT_THROW(SweepJournal(folder_ / "sweep-2-of-4.journal", true), core::RefusedForNow);
+    EXPECT_THROW(SweepJournal(folder_ / "sweep-2-of-4.journal", true), core::RetryableError);
   }
   EXPECT_EQ(refusal_of({1, 4}), "") << "the process has ended";
   const SweepJournal whole(folder_ / "sweep.journal", false);

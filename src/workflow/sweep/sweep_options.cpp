@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
@@ -32,14 +32,15 @@ OptionTable<SweepValues> value_options() {
   return table;
 }
 
-OptionTable<FollowUpWords> follow_up_options() {
-  OptionTable<FollowUpWords> table;
-  table.flag("--focus", "focus each recording to an image, NAME.img", &FollowUpWords::focus);
-  table.flag("--measure", "measure each image against theory: columns of the table", &FollowUpWords::measure);
+OptionTable<PostProcessingLabels> post_processing_options() {
+  OptionTable<PostProcessingLabels> table;
+  table.flag("--focus", "focus each recording to an image, NAME.img", &PostProcessingLabels::focus);
+  table.flag("--measure", "measure each image against theory: columns of the table", &PostProcessingLabels::measure);
   table.flag("--search", "make a picture and detections of each recording: columns of the table",
-             &FollowUpWords::search);
-  table.flag("--profiles", "make range profiles of each recording: columns of the table", &FollowUpWords::profiles);
-  table.text("--with", "OPTIONS", "options of --focus, --search or --profiles, in quotes", &FollowUpWords::with)
+             &PostProcessingLabels::search);
+  table.flag("--profiles", "make range profiles of each recording: columns of the table",
+             &PostProcessingLabels::profiles);
+  table.text("--with", "OPTIONS", "options of --focus, --search or --profiles, in quotes", &PostProcessingLabels::with)
       .takes_options = true;
   return table;
 }
@@ -71,35 +72,35 @@ SweepPart read_part(const std::string& text) {
   const auto index = core::parse_integer(text.substr(0, slash));
   const auto count = slash == std::string::npos ? std::nullopt : core::parse_integer(text.substr(slash + 1));
   if (!index || !count)
-    throw core::Refused(fmt::format("--part: '{}' is not a valid part", text),
-                        "write K/N, for instance 2/4 for the second of four");
+    throw core::InvalidRequest(fmt::format("--part: '{}' is not a valid part", text),
+                               "write K/N, for instance 2/4 for the second of four");
   if (*count < 1 || *count > static_cast<std::int64_t>(max_variations) || *index < 1 || *index > *count)
-    throw core::Refused(fmt::format("--part: there is no part {}", text),
-                        fmt::format("parts are numbered from 1 to N, and N is {} at most", max_variations));
+    throw core::InvalidRequest(fmt::format("--part: there is no part {}", text),
+                               fmt::format("parts are numbered from 1 to N, and N is {} at most", max_variations));
   return {static_cast<std::size_t>(*index) - 1, static_cast<std::size_t>(*count)};
 }
 
-FollowUp follow_up_of(const FollowUpWords& given) {
-  using Kind = FollowUp::Kind;
-  FollowUp follow_up;
+PostProcessing post_processing_of(const PostProcessingLabels& given) {
+  using Kind = PostProcessing::Kind;
+  PostProcessing post_processing;
   for (const auto& [kind, wanted] : {std::pair{Kind::focus, given.focus}, std::pair{Kind::search, given.search},
                                      std::pair{Kind::profiles, given.profiles}}) {
     if (!wanted) continue;
-    if (follow_up)
-      throw core::Refused(
-          fmt::format("--{} and --{} cannot be made of one sweep", word_of(follow_up.kind), word_of(kind)),
+    if (post_processing)
+      throw core::InvalidRequest(
+          fmt::format("--{} and --{} cannot be made of one sweep", word_of(post_processing.kind), word_of(kind)),
           "leave one of them out, and make the other in a sweep of its own");
-    follow_up.kind = kind;
+    post_processing.kind = kind;
   }
-  follow_up.measure = given.measure;
-  follow_up.words = given.with;
-  return follow_up;
+  post_processing.measure = given.measure;
+  post_processing.words = given.with;
+  return post_processing;
 }
 
 OptionTable<SweepWords> common_sweep_options() {
   OptionTable<SweepWords> table;
   table.include(value_options(), [](SweepWords& words) -> SweepValues& { return words.request.values; });
-  table.include(follow_up_options(), &SweepWords::follow_up);
+  table.include(post_processing_options(), &SweepWords::post_processing);
   table.include(output_options(), [](SweepWords& words) -> SweepRequest& { return words.request; });
   table.include(run_choice_options(), [](SweepWords& words) -> SceneOverrides& { return words.request.overrides; });
   return table;
@@ -116,15 +117,15 @@ SweepRequest sweep_request(const SceneInput& input, const GivenWords& given) {
   SweepWords words;
   TakenProblems problems = sweep_option_table().take_words(given, words);
   std::ranges::move(problems.late, std::back_inserter(problems.early));
-  if (!problems.early.empty()) throw core::Refused(std::move(problems.early));
+  if (!problems.early.empty()) throw core::InvalidRequest(std::move(problems.early));
   SweepRequest& request = words.request;
-  request.follow_up = follow_up_of(words.follow_up);
+  request.post_processing = post_processing_of(words.post_processing);
   const auto held = std::make_shared<HeldScene>();
-  held->input = check_again(input, Scrutiny::reading, {core::thread_count(request.threads)}, {}, request.overrides);
+  held->input = check_again(input, CheckLevel::reading, {core::thread_count(request.threads)}, {}, request.overrides);
   core::Problems of_files = read_files_of(
       held->input.scene, input.sources.empty() ? std::filesystem::path() : input.sources.front().parent_path(),
       {core::thread_count(request.threads)});
-  if (core::has_errors(of_files)) throw core::Refused(std::move(of_files));
+  if (core::has_errors(of_files)) throw core::InvalidRequest(std::move(of_files));
   request.scene = held->input.scene;
   request.script = input.sources.empty() ? std::string("scene") : input.sources.front().string();
   request.places = held->input.places;

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/counted.hpp"
 #include "core/text/number_text.hpp"
@@ -26,11 +26,11 @@ constexpr std::size_t max_problems_told = 20;
 
 std::vector<ProductJob> products_of(const SweepRequest& request) {
   const OutputNames names = output_names(request.scene, {".", false, request.format});
-  if (core::has_errors(names.problems)) throw core::Refused(names.problems);
+  if (core::has_errors(names.problems)) throw core::InvalidRequest(names.problems);
   std::vector<ProductJob> products = chosen_products(request.scene, names, request.products);
   if (!products.empty()) return products;
-  core::Refused nothing("the script asks for nothing that could vary",
-                        "add a [[recording]] or a [[geometry]]; in a .scr, a $SIMULATION or a $GEOMETRY");
+  core::InvalidRequest nothing("the script asks for nothing that could vary",
+                               "add a [[recording]] or a [[geometry]]; in a .scr, a $SIMULATION or a $GEOMETRY");
   nothing.problems.front().place.file = request.script;
   throw nothing;
 }
@@ -44,9 +44,9 @@ void name_rows(const SweepRequest& request, SweepPlan& plan) {
       plan.rows.push_back(names.row(variation, product));
   }
   if (plan.variations.empty())
-    throw core::Refused(fmt::format("--part: there are {} for {} parts, and none for part {}",
-                                    core::counted(plan.sweep.size(), "variation"), part.count, part.index + 1),
-                        "use no more parts than there are variations");
+    throw core::InvalidRequest(fmt::format("--part: there are {} for {} parts, and none for part {}",
+                                           core::counted(plan.sweep.size(), "variation"), part.count, part.index + 1),
+                               "use no more parts than there are variations");
 }
 
 // Whether the file is there as it was written; of a sweep that discarded everything none is.
@@ -57,10 +57,11 @@ bool holds(const fs::path& file, const SweepRow& row) {
 
 // Whether a recording was followed up as the request wants it, and what was made of it is there.
 bool is_followed(const SweepRequest& request, const SweepRow& row) {
-  if (!request.follow_up || row.table) return true;
-  if (row.followed != mark_of(request.follow_up)) return false;
+  if (!request.post_processing || row.table) return true;
+  if (row.followed != mark_of(request.post_processing)) return false;
   if (request.discard) return true;
-  const std::vector<fs::path> made = files_of(request.follow_up, fs::path(request.folder) / fs::path(row.file).stem());
+  const std::vector<fs::path> made =
+      files_of(request.post_processing, fs::path(request.folder) / fs::path(row.file).stem());
   return std::ranges::all_of(made, [](const fs::path& file) {
     std::error_code none;
     return fs::exists(file, none);
@@ -113,12 +114,12 @@ void take_finished(const SweepRequest& request, std::vector<SweepRow>& rows) {
 
 SweepPlan plan_sweep(const SweepRequest& request, const core::Observer& observer) {
   const unsigned threads = core::thread_count(request.threads);
-  expect_sense(request.follow_up);
+  validate(request.post_processing);
   Sweep sweep(request.scene, request.values, {request.script, request.overrides, request.names, request.sources});
   SweepPlan plan{std::move(sweep), products_of(request)};
-  if (request.follow_up && std::ranges::all_of(plan.products, &ProductJob::table))
-    throw core::Refused(
-        fmt::format("--{}: no recording is made that could be followed up", word_of(request.follow_up.kind)),
+  if (request.post_processing && std::ranges::all_of(plan.products, &ProductJob::table))
+    throw core::InvalidRequest(
+        fmt::format("--{}: no recording is made that could be followed up", word_of(request.post_processing.kind)),
         "choose a recording");
   name_rows(request, plan);
   take_finished(request, plan.rows);
@@ -134,7 +135,7 @@ SweepPlan plan_sweep(const SweepRequest& request, const core::Observer& observer
 }
 
 void expect_sound(const SweepPlan& plan) {
-  if (plan.refused) throw core::Refused(shortened(plan.checks.problems));
+  if (plan.refused) throw core::InvalidRequest(shortened(plan.checks.problems));
 }
 
 const ProductSize& size_of(const SweepPlan& plan, std::size_t variation, std::size_t product) {

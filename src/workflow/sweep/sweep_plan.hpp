@@ -30,13 +30,13 @@ struct SweepPlan {
 
 /// Names the products of all variations and looks at each variation as `sarsim check` looks at a script. The observer
 /// is told the problems where they do not forbid to run the sweep; otherwise the plan is `refused`.
-/// @throws core::Refused for settings, products and parts that do not exist
+/// @throws core::InvalidRequest for settings, products and parts that do not exist
 [[nodiscard]] SweepPlan plan_sweep(const SweepRequest& request, const core::Observer& observer);
 
 /// Completes the rows of products that are there already, from the same scene, where the sweep is resumed.
 void take_finished(const SweepRequest& request, std::vector<SweepRow>& rows);
 
-/// Throws core::Refused with the first of the problems of a plan that is refused.
+/// Throws core::InvalidRequest with the first of the problems of a plan that is refused.
 void expect_sound(const SweepPlan& plan);
 
 /// How large a product will be that is not done.

@@ -12,7 +12,7 @@
 #include "simulate/plan/engine.hpp"
 #include "workflow/input/recording_input.hpp"
 #include "workflow/input/scene_input.hpp"
-#include "workflow/sweep/follow_up.hpp"
+#include "workflow/sweep/post_processing.hpp"
 #include "workflow/sweep/sweep_axes.hpp"
 
 namespace sarsim::workflow {
@@ -34,7 +34,7 @@ struct SweepRequest {
   std::vector<std::filesystem::path> sources;  ///< Script and data files, which no output may replace.
   SweepValues values;                          ///< What varies.
   std::vector<std::string> products;           ///< Those that are made, see `chosen_products`; none: all.
-  FollowUp follow_up;                          ///< What is made of each recording besides.
+  PostProcessing post_processing;              ///< What is made of each recording besides.
   std::optional<scene::FileFormat> format;     ///< Set where all of `scene` were given it: names follow it.
   std::string folder = ".";                    ///< Of all files; made when missing.
   std::string table;                           ///< Stem of tables and journal; empty: "sweep".

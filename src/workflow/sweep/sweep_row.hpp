@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "simulate/plan/sink.hpp"
-#include "workflow/sweep/follow_up.hpp"
+#include "workflow/sweep/post_processing.hpp"
 
 namespace sarsim::workflow {
 

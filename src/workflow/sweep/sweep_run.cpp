@@ -15,7 +15,7 @@
 #include "core/os/output_file.hpp"
 #include "core/os/raw_file.hpp"
 #include "core/os/temporary_files.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/clock.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/sinks.hpp"
@@ -109,16 +109,16 @@ class VariationRunner {
     try {
       if (!row.recorded) make_file(job, row);
       if (!rules_.discard) row.written = modification_time(rules_.folder / row.file);
-      if (rules_.follow_up && !job.table) {
+      if (rules_.post_processing && !job.table) {
         if (!rules_.discard && !row.recorded) tell_recorded(row, done);
-        follow_up(job.index, row);
+        post_processing(job.index, row);
       }
       row.done = true;
     } catch (const simulate::ImpossibleEcho& error) {
       row.failure = error.problem.message;
     } catch (const std::overflow_error& error) {
       row.failure = error.what();
-    } catch (const core::Refused& refused) {
+    } catch (const core::InvalidRequest& refused) {
       row.failure = refused.problems.front().message;
     }
     row.seconds = core::now_s() - begin_s;
@@ -135,8 +135,8 @@ class VariationRunner {
     const AgainFolder again(rules_.folder, row.file);
     make_file_in(again.path(), job, row);
     if (const fs::path other = move_new_files(again.path(), rules_.folder); !other.empty())
-      throw core::Refused(fmt::format("'{}' is not what this sweep makes", other.string()),
-                          "it was changed since; move it away, or replace with --force");
+      throw core::InvalidRequest(fmt::format("'{}' is not what this sweep makes", other.string()),
+                                 "it was changed since; move it away, or replace with --force");
   }
 
   void make_file_in(const fs::path& folder, const ProductJob& job, SweepRow& row) {
@@ -170,9 +170,9 @@ class VariationRunner {
   }
 
   // Works on what was written, or, where nothing was, on the scene.
-  void follow_up(std::size_t simulation, SweepRow& row) {
-    FollowedRecording recording{swept_.source, rules_.follow_up_folder / fs::path(row.file).stem(), rules_.threads,
-                                rules_.jobs, rules_.replace || row.recorded};
+  void post_processing(std::size_t simulation, SweepRow& row) {
+    FollowedRecording recording{swept_.source, rules_.post_processing_folder / fs::path(row.file).stem(),
+                                rules_.threads, rules_.jobs, rules_.replace || row.recorded};
     recording.input.simulation = static_cast<std::int64_t>(simulation) + 1;
     if (!rules_.discard && !recording.input.held) {
       recording.input.script = std::exchange(recording.input.path, (rules_.folder / row.file).string());
@@ -182,9 +182,9 @@ class VariationRunner {
         recording.input.overrides.settings.push_back(
             fmt::format("Simulation{}.lsb={}V", simulation + 1, core::format_number(row.run.lsb_v)));
     }
-    FollowedUp followed = follow(rules_.follow_up, recording, stop_);
+    PostProcessed followed = follow(rules_.post_processing, recording, stop_);
     row.figures = std::move(followed.figures);
-    row.followed = mark_of(rules_.follow_up);
+    row.followed = mark_of(rules_.post_processing);
     std::ranges::move(followed.remarks, std::back_inserter(remarks_));
   }
 
@@ -212,7 +212,7 @@ class VariationRunner {
 };
 
 // What data files hold; a script only names them.
-std::uint64_t hash_of_functions(const scene::KeptObject& object, std::uint64_t hash) {
+std::uint64_t hash_of_functions(const scene::SharedObject& object, std::uint64_t hash) {
   for (const scene::FunctionUse& use : scene::functions_of(object)) {
     if (use.file->empty()) continue;
     for (const core::SampledFunction& part : use.parts)
@@ -240,8 +240,8 @@ std::uint64_t hash_of_scene(const scene::Scene& scene) {
 
 VariationRules variation_rules(const SweepRequest& request) {
   VariationRules rules{request.folder, request.engine, request.counts, request.header, request.force, request.discard};
-  rules.follow_up = request.follow_up;
-  rules.follow_up_folder = request.folder;
+  rules.post_processing = request.post_processing;
+  rules.post_processing_folder = request.folder;
   return rules;
 }
 

@@ -18,14 +18,14 @@ namespace sarsim::workflow {
 struct VariationRules {
   std::filesystem::path folder = ".";
   simulate::Engine engine = simulate::Engine::automatic;
-  bool counts = false;                       ///< As in SinkOptions.
-  bool header = false;                       ///< As in SinkOptions.
-  bool replace = false;                      ///< Replace existing files.
-  bool discard = false;                      ///< Compute and encode everything, write nothing.
-  unsigned threads = 1;                      ///< Of each variation.
-  FollowUp follow_up{};                      ///< What is made of each recording besides.
-  std::filesystem::path follow_up_folder{};  ///< Of its files.
-  std::size_t jobs = 1;                      ///< Variations beside each other.
+  bool counts = false;                             ///< As in SinkOptions.
+  bool header = false;                             ///< As in SinkOptions.
+  bool replace = false;                            ///< Replace existing files.
+  bool discard = false;                            ///< Compute and encode everything, write nothing.
+  unsigned threads = 1;                            ///< Of each variation.
+  PostProcessing post_processing{};                ///< What is made of each recording besides.
+  std::filesystem::path post_processing_folder{};  ///< Of its files.
+  std::size_t jobs = 1;                            ///< Variations beside each other.
   /// Called with each row before its file is begun, if one is written; empty: not called.
   std::function<void(const SweepRow&)> begin{};
 };

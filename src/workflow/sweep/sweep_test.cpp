@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 #include "simulate/plan/flight_test_scene.hpp"
 #include "support/test_folder.hpp"
 
@@ -107,7 +107,7 @@ TEST(SweepWorkflow, RefusesAllVariationsBeforeTheFirstIsMade) {
   try {
     static_cast<void>(sweep(request, {}));
     FAIL() << "nothing was refused";
-  } catch (const core::Refused& refused) {
+  } catch (const core::InvalidRequest& refused) {
     ASSERT_FALSE(refused.problems.empty());
     EXPECT_THAT(core::to_string(refused.problems[0]), HasSubstr("with Radar1.pulse_width=-1us"));
   }
@@ -119,7 +119,7 @@ TEST(SweepWorkflow, LeavesOutWhatIsDoneWhereItResumes) {
   const test::TestFolder folder;
   SweepRequest request = request_for(folder, {"seed=1,2"});
   static_cast<void>(sweep(request, {}));
-  EXPECT_THROW(static_cast<void>(sweep(request, {})), core::Refused);
+  EXPECT_THROW(static_cast<void>(sweep(request, {})), core::InvalidRequest);
   request.values.settings = {"seed=1..3"};
   request.resume = true;
   const SweepPlan plan = plan_sweep(request, {});

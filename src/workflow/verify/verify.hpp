@@ -24,7 +24,7 @@ struct VerifyReport {
 
 /// Holds the simulator against what must come out, on this machine. A statement that does not hold is a finding, no
 /// failure. A requested stop throws Interrupted.
-/// @throws core::Refused where something stands in the way of the page; nothing is measured then
+/// @throws core::InvalidRequest where something stands in the way of the page; nothing is measured then
 [[nodiscard]] VerifyReport verify_program(const VerifyRequest& request, const core::Observer& observer);
 
 }  // namespace sarsim::workflow::verify

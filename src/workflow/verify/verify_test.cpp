@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/invalid_request.hpp"
 
 namespace sarsim::workflow::verify {
 namespace verify_test {
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 TEST(VerifyWorkflow, RefusesToReplaceAPageBeforeItMeasures) {
   const fs::path page = fs::path(testing::TempDir()) / ("sarsim-verify-" + std::to_string(getpid()) + ".html");
   std::ofstream(page) << "mine";
-  EXPECT_THROW((void)verify_program({true, page.string(), false}, {}), core::Refused);
+  EXPECT_THROW((void)verify_program({true, page.string(), false}, {}), core::InvalidRequest);
   EXPECT_EQ(fs::file_size(page), 4U);
   fs::remove(page);
 }
