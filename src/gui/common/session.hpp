@@ -14,7 +14,7 @@
 #include "gui/common/latest_only_work.hpp"
 #include "scene/edit/document.hpp"
 #include "scene/edit/scene_change.hpp"
-#include "scene/model/object.hpp"
+#include "scene/model/object_id.hpp"
 
 namespace sarsim::gui {
 

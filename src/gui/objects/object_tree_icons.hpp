@@ -4,7 +4,7 @@
 #include <QPalette>
 
 #include "core/report/problem.hpp"
-#include "scene/model/object.hpp"
+#include "scene/model/object_id.hpp"
 
 namespace sarsim::gui {
 

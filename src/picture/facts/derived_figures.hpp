@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/model/object.hpp"
+#include "scene/model/object_id.hpp"
+#include "scene/model/scene.hpp"
 
 namespace sarsim::picture {
 

@@ -7,7 +7,7 @@
 
 #include "core/maths/vector.hpp"
 #include "raster/table/rgb.hpp"
-#include "scene/model/object.hpp"
+#include "scene/model/object_id.hpp"
 
 namespace sarsim::picture {
 

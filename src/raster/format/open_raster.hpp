@@ -8,7 +8,7 @@
 #include "core/task/stop.hpp"
 #include "raster/format/custom_raw.hpp"
 #include "raster/table/raster.hpp"
-#include "scene/model/scene.hpp"
+#include "scene/model/recording.hpp"
 
 namespace sarsim::raster {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/model/scene.hpp"
+#include "scene/model/recording.hpp"
 
 namespace sarsim::raster {
 

@@ -11,7 +11,7 @@
 #include "core/task/stop.hpp"
 #include "raster/table/stored_array.hpp"
 #include "scene/model/format_values.hpp"
-#include "scene/model/scene.hpp"
+#include "scene/model/recording.hpp"
 
 namespace sarsim::core {
 class InputFile;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/model/object.hpp"
+#include "scene/model/kinds.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/script/tokens.hpp"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "scene/model/scene.hpp"
+#include "scene/model/recording.hpp"
 
 namespace sarsim::scene {
 

@@ -10,14 +10,12 @@
 #include <variant>
 #include <vector>
 
+#include "scene/model/object_id.hpp"
 #include "scene/model/scene.hpp"
 
 /// The one list of the kinds of objects that a scene holds. A new kind is its struct and list in scene.hpp, a word here
 /// in ObjectKind and an entry in `kinds`; code that treats all kinds alike loops over that.
 namespace sarsim::scene {
-
-/// The lists of a scene, in the order in which people see them.
-enum class ObjectKind { platform, target, cloud, surface, radar, simulation, geometry };
 
 /// A kind of object: its names and its list in a scene.
 template <class Object>

@@ -10,14 +10,6 @@
 
 namespace sarsim::scene {
 
-/// One object of a scene: number `index` of its list. Ids change when objects before them are added or removed.
-struct ObjectId {
-  ObjectKind kind = ObjectKind::platform;
-  std::size_t index = 0;
-
-  friend auto operator<=>(const ObjectId&, const ObjectId&) = default;
-};
-
 [[nodiscard]] inline ObjectKind kind_of(const AnyObject& object) { return static_cast<ObjectKind>(object.index()); }
 
 /// "platform", "target", ... as in Subject::kind (core/report/problem.hpp).

@@ -10,6 +10,7 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "scene/model/scene.hpp"
 
 namespace sarsim::scene {
 

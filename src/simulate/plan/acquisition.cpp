@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/report/expect.hpp"
+#include "scene/model/scene.hpp"
 
 namespace sarsim::simulate {
 

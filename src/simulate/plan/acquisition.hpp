@@ -4,11 +4,15 @@
 #include <memory>
 
 #include "core/task/stop.hpp"
-#include "scene/model/scene.hpp"
+#include "scene/model/recording.hpp"
 #include "simulate/plan/reception.hpp"
 #include "simulate/plan/timing.hpp"
 #include "simulate/resolve/link.hpp"
 #include "simulate/resolve/resolved.hpp"
+
+namespace sarsim::scene {
+struct Scene;
+}
 
 namespace sarsim::simulate {
 

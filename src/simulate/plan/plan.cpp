@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "scene/model/scene.hpp"
 #include "simulate/plan/row_kernel.hpp"
 
 namespace sarsim::simulate {

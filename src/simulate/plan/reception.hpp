@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "radar/echo/reference_kernel.hpp"
-#include "scene/model/scene.hpp"
+#include "scene/model/recording.hpp"
 #include "signal/compress/range_compression.hpp"
 #include "signal/stepped/range_profile.hpp"
 #include "simulate/resolve/link.hpp"

@@ -12,7 +12,8 @@
 #include <variant>
 #include <vector>
 
-#include "scene/model/scene.hpp"
+#include "scene/model/recording.hpp"
+#include "scene/model/run_options.hpp"
 
 namespace sarsim::simulate {
 

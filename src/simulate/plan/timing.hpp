@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "radar/waveform/schedule.hpp"
-#include "scene/model/scene.hpp"
+#include "scene/model/recording.hpp"
 #include "simulate/resolve/link.hpp"
 
 namespace sarsim::simulate {

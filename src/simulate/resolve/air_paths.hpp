@@ -6,7 +6,7 @@
 #include "core/maths/vector.hpp"
 #include "radar/atmosphere/atmosphere_table.hpp"
 #include "radar/earth/sagnac.hpp"
-#include "scene/model/scene.hpp"
+#include "scene/model/world.hpp"
 
 namespace sarsim::simulate {
 

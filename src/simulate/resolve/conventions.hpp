@@ -6,7 +6,7 @@
 #include "radar/echo/pulse_clock.hpp"
 #include "radar/path/light_time.hpp"
 #include "scene/model/function_role.hpp"
-#include "scene/model/scene.hpp"
+#include "scene/model/run_options.hpp"
 
 namespace sarsim::simulate {
 

@@ -9,7 +9,7 @@
 #include "radar/antenna/pattern.hpp"
 #include "radar/waveform/pulse.hpp"
 #include "radar/waveform/schedule.hpp"
-#include "scene/model/scene.hpp"
+#include "scene/model/radar.hpp"
 #include "signal/compress/range_compression.hpp"
 #include "simulate/resolve/air_paths.hpp"
 

@@ -9,10 +9,14 @@
 #include "core/task/parallel.hpp"
 #include "radar/earth/sagnac.hpp"
 #include "radar/motion/track.hpp"
-#include "scene/model/scene.hpp"
+#include "scene/model/run_options.hpp"
 #include "simulate/resolve/conventions.hpp"
 #include "simulate/resolve/link.hpp"
 #include "simulate/resolve/scatterers.hpp"
+
+namespace sarsim::scene {
+struct Scene;
+}
 
 /// A checked scene with its names looked up and its functions ready to evaluate. SI units and radians throughout.
 namespace sarsim::simulate {

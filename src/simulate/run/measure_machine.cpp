@@ -10,6 +10,7 @@
 
 #include "core/maths/constants.hpp"
 #include "radar/path/path.hpp"
+#include "scene/model/scene.hpp"
 #include "simulate/plan/row_kernel.hpp"
 #include "simulate/run/run.hpp"
 

@@ -1,4 +1,5 @@
 #include "simulate/run/run.hpp"
+#include "scene/model/scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "simulate/survey/derived.hpp"
+#include "scene/model/scene.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,5 @@
 #include "simulate/survey/places.hpp"
+#include "scene/model/scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,10 +8,13 @@
 
 #include "core/report/problem.hpp"
 #include "core/task/parallel.hpp"
-#include "scene/model/scene.hpp"
 #include "simulate/plan/acquisition.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 #include "simulate/survey/target_visibility.hpp"
+
+namespace sarsim::scene {
+struct Scene;
+}
 
 namespace sarsim::simulate {
 

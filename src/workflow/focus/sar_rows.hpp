@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/task/sample_rows.hpp"
-#include "scene/model/scene.hpp"
+#include "scene/model/recording.hpp"
 #include "signal/sar/focusing.hpp"
 #include "simulate/plan/acquisition.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "radar/earth/earth_frame.hpp"
 #include "raster/format/envi.hpp"
-#include "scene/model/scene.hpp"
+#include "scene/model/run_options.hpp"
 #include "signal/sar/focusing.hpp"
 #include "signal/sar/sar_image.hpp"
 

@@ -6,8 +6,12 @@
 #include <vector>
 
 #include "core/report/problem.hpp"
-#include "scene/model/scene.hpp"
+#include "scene/model/recording.hpp"
 #include "workflow/input/input_list.hpp"
+
+namespace sarsim::scene {
+struct Scene;
+}
 
 namespace sarsim::workflow {
 

@@ -1,4 +1,5 @@
 #include "workflow/input/output_names.hpp"
+#include "scene/model/scene.hpp"
 
 #include <fstream>
 

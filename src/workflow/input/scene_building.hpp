@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/maths/sampled_function.hpp"
-#include "scene/model/object.hpp"
+#include "scene/model/object_id.hpp"
 #include "workflow/input/scene_input.hpp"
 
 /// Scenes that programs put together, object by object (src/capi).
