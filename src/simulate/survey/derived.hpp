@@ -50,7 +50,7 @@ struct SimulationFigures {
 [[nodiscard]] SimulationFigures simulation_figures(const Acquisition& acquisition, const EchoSurvey& survey);
 
 /// Largest magnitude in the product of a lone echo of amplitude 1 that lies whole in the raw window: 1 for raw data and
-/// synthetic profiles; for compressed data what the plan's filter makes of a pulse on the sampling grid. Costs one row.
+/// synthetic profiles; for compressed data what the filter makes of a pulse on the sampling grid. Costs one row.
 [[nodiscard]] double processing_gain(const Acquisition& acquisition);
 
 }  // namespace sarsim::simulate

@@ -37,7 +37,7 @@ struct TargetVisibility {
 /// pulse geometries for each target, so it is for some targets of a scene, not for a million.
 class VisibilitySurvey {
  public:
-  /// Keeps a reference to the plan. @param targets  positions in the scene's list of targets
+  /// Keeps a reference to the acquisition. @param targets  positions in the scene's list of targets
   VisibilitySurvey(const Acquisition& acquisition, const std::vector<std::size_t>& targets);
 
   /// In the order of the targets. A requested stop throws Interrupted.

@@ -253,7 +253,10 @@ std::string target_list(const std::vector<std::size_t>& targets) {
 
 std::vector<SarTarget> sar_targets(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
                                    const core::WorkControl& control, std::size_t max_looks) {
-  const TargetAspects looks(acquisition, echoes, {}, max_looks);
+  return sar_targets(TargetAspects(acquisition, echoes, {}, max_looks), control);
+}
+
+std::vector<SarTarget> sar_targets(const TargetAspects& looks, const core::WorkControl& control) {
   std::vector<SarTarget> targets(looks.targets());
   looks.each(control,
              [&](std::size_t t, std::span<const TargetAspect> seen) { targets[t] = target_of(looks, t, seen); });

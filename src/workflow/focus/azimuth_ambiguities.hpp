@@ -9,6 +9,8 @@
 
 namespace sarsim::workflow {
 
+class TargetAspects;
+
 /// Scenes of more targets are not examined target by target before they are focused.
 inline constexpr std::size_t max_examined_targets = 4096;
 
@@ -53,6 +55,9 @@ struct SarTarget {
 [[nodiscard]] std::vector<SarTarget> sar_targets(const simulate::Acquisition& acquisition,
                                                  const signal::EchoRows& echoes, const core::WorkControl& control = {},
                                                  std::size_t max_looks = 2048);
+
+/// The same from aspects at hand.
+[[nodiscard]] std::vector<SarTarget> sar_targets(const TargetAspects& looks, const core::WorkControl& control = {});
 
 /// The same from the line that fits the track, which the frequencies of an image are about.
 [[nodiscard]] std::vector<SarTarget> targets_from_line(const simulate::Acquisition& acquisition,

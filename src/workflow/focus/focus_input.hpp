@@ -10,7 +10,7 @@
 
 namespace sarsim::workflow {
 
-/// Compressed echoes, read or computed when they are asked for, and the plan that they follow.
+/// Compressed echoes, read or computed when they are asked for, and the acquisition that they are of.
 struct FocusInput {
   std::shared_ptr<const simulate::Acquisition> acquisition;
   signal::EchoRows echoes;

@@ -66,18 +66,18 @@ std::vector<SarTarget> targets_to_show(const simulate::Acquisition& acquisition,
                                        const DopplerBand& kept, const core::WorkControl& control) {
   constexpr std::size_t max_looks = 513;
   constexpr double weakest = 0.1;
-  std::vector<SarTarget> targets = targets_from_line(acquisition, echoes, control, max_looks);
+  signal::EchoRows line = echoes;
+  line.compensated = true;
+  const TargetAspects looks(acquisition, line, {}, max_looks);
+  std::vector<SarTarget> targets = sar_targets(looks, control);
   double strongest = 0.0;
   for (const SarTarget& target : targets)
     if (target.recorded) strongest = std::max(strongest, target.amplitude);
   std::erase_if(targets, [&](const SarTarget& target) {
     const double middle_hz = 0.5 * (target.lowest_doppler_hz + target.highest_doppler_hz);
     const bool has = kept.width_hz <= 0.0 || std::abs(middle_hz - kept.centroid_hz) <= 0.5 * kept.width_hz;
-    return !(target.recorded && target.amplitude >= weakest * strongest && has);
+    return !(target.recorded && target.amplitude >= weakest * strongest && has && looks.resting_place(target.target));
   });
-  if (targets.empty()) return targets;
-  const TargetAspects looks(acquisition, echoes, {}, max_looks);
-  std::erase_if(targets, [&](const SarTarget& target) { return !looks.resting_place(target.target); });
   return targets;
 }
 

@@ -13,8 +13,8 @@ namespace sarsim::workflow {
 /// w |p|^2 g[i + k], over the sum of w |p|^2 over all of them.
 class MatchedFilterCoverage {
  public:
-  /// @param columns  compressed samples that are used, from the first one on: at most as many as the plan has; of a
-  /// plan
+  /// @param columns  compressed samples that are used, from the first one on: at most as many as the acquisition has;
+  /// of a plan
   ///                 of raw data those up to the row's end can be compressed, the last ones in part
   /// @param weight   over the pulse, the fraction of its width from 0 to 1
   MatchedFilterCoverage(const simulate::Acquisition& acquisition, std::size_t columns,

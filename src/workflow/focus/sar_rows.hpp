@@ -41,7 +41,7 @@ namespace sarsim::workflow {
 
 /// Compressed echoes of a recording that a plan describes: raw data are compressed as above, compressed ones taken as
 /// they are.
-/// @param recorded  rows like those that the plan makes
+/// @param recorded  rows like those that the acquisition makes
 [[nodiscard]] signal::EchoRows sar_rows_of_recording(const std::shared_ptr<const simulate::Acquisition>& acquisition,
                                                      core::SampleRows<double> recorded);
 

@@ -4,6 +4,7 @@
 #include "workflow/focus/azimuth_ambiguities.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -56,7 +57,16 @@ TargetAspects::TargetAspects(const simulate::Acquisition& acquisition, const sig
       carrier_hz_(echoes.waveform.carrier_hz),
       pulses_(echoes.track.size()),
       step_(step_of(echoes.track.size(), scene_->scatterers.size(), max_looks)),
-      compensated_(echoes.compensated) {}
+      compensated_(echoes.compensated) {
+  simulate::PulseGeometry geometry(*scene_, acquisition.link);
+  const std::array looks{std::size_t{0}, count() / 2, count() - 1};
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    geometry.set_pulse(acquisition.timing.pulses.first + static_cast<std::int64_t>(pulse(looks[i])));
+    first_middle_last_[i].resize(scene_->platforms.size());
+    for (const std::uint32_t platform : simulate::reflecting_platforms(*scene_))
+      first_middle_last_[i][platform] = geometry.pose(platform);
+  }
+}
 
 void TargetAspects::each(const core::WorkControl& control,
                          const std::function<void(std::size_t target, std::span<const TargetAspect> seen)>& body,
@@ -153,15 +163,13 @@ std::vector<core::Vec3> TargetAspects::antennas() const {
 
 std::optional<core::Vec3> TargetAspects::resting_place(std::size_t target) const {
   constexpr double still_m = 1e-6;
-  const simulate::Scatterer& scatterer = scene_->scatterers[target];
-  simulate::PulseGeometry geometry(*scene_, acquisition_.link);
-  const auto at = [&](std::size_t look) {
-    geometry.set_pulse(acquisition_.timing.pulses.first + static_cast<std::int64_t>(pulse(look)));
-    return radar::world_position_m(geometry.pose(scatterer.platform), scatterer.position_m);
+  const simulate::Scatterer scatterer = scene_->scatterers[target];
+  const auto at = [&](const std::vector<radar::Pose>& poses) {
+    return radar::world_position_m(poses[scatterer.platform], scatterer.position_m);
   };
-  const core::Vec3 first_m = at(0);
-  for (const std::size_t look : {count() / 2, count() - 1})
-    if (core::norm(at(look) - first_m) > still_m) return std::nullopt;
+  const core::Vec3 first_m = at(first_middle_last_[0]);
+  for (std::size_t i = 1; i < first_middle_last_.size(); ++i)
+    if (core::norm(at(first_middle_last_[i]) - first_m) > still_m) return std::nullopt;
   return first_m;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -43,7 +44,7 @@ class TargetAspects {
  public:
   static constexpr std::size_t usual_looks = 2048;
 
-  /// Keeps a reference to the plan.
+  /// Keeps a reference to the acquisition.
   /// @param echoes  their track, their window, and whether they are compensated to the track's line; no rows are read
   /// @param weight  of the compressing filter over the pulse; even where there is none
   TargetAspects(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
@@ -88,6 +89,7 @@ class TargetAspects {
   std::size_t pulses_ = 0;
   std::size_t step_ = 1;
   bool compensated_ = false;
+  std::array<std::vector<radar::Pose>, 3> first_middle_last_;  // of platforms, at three looks
 };
 
 /// Mean Doppler frequency of the echoes as seen from the line that fits the track, weighted by their power, Hz: the

@@ -38,7 +38,7 @@ struct PulseRows : core::SampleRows<float> {
 
 /// Pulses of a recording that a plan describes: compressed ones as they are, raw ones through the matched filter of the
 /// physical profile with the radar's window (docs/theory/compression.md).
-/// @param recorded  rows like those that the plan makes
+/// @param recorded  rows like those that the acquisition makes
 /// @throw  std::invalid_argument for synthetic range profiles
 [[nodiscard]] PulseRows pulse_rows_of_recording(const std::shared_ptr<const simulate::Acquisition>& acquisition,
                                                 core::SampleRows<double> recorded);

@@ -15,7 +15,7 @@ namespace sarsim::workflow {
 /// What a user should know before, without errors: targets beyond the unambiguous Doppler frequencies and ranges, at
 /// blind speeds of the canceller, that walk through range cells; a beam that turns farther in an interval than it is
 /// wide, or not at all, for intervals of single pulses; last pulses of its only turn that make no interval (a note); no
-/// noise to hold detections against; reference cells over unlike Doppler rows. Looks at some pulses of the plan.
+/// noise to hold detections against; reference cells over unlike Doppler rows. Looks at some pulses of the acquisition.
 [[nodiscard]] core::Problems diagnose_search(const simulate::Acquisition& acquisition, const SearchOptions& options,
                                              const core::WorkControl& control = {});
 
@@ -30,8 +30,8 @@ namespace sarsim::workflow {
 /// if both are isotropic.
 [[nodiscard]] std::optional<double> half_beam_rad(const simulate::Acquisition& acquisition);
 
-/// Whether the beam's axis moves in azimuth by more than `seen_width_rad` between some pulses of the plan, whatever
-/// turns it.
+/// Whether the beam's axis moves in azimuth by more than `seen_width_rad` between some pulses of the acquisition,
+/// whatever turns it.
 [[nodiscard]] bool beam_turns(const simulate::Acquisition& acquisition);
 
 /// Pulses that leave while a rotating beam turns by half its width, 1 to 64; 1 where it does not rotate or has no

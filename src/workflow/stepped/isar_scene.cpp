@@ -41,11 +41,11 @@ void take_turn_rate(signal::IsarPlane& plane, const std::vector<signal::TrackPoi
 
 // Where the first-order image shows a point of the target's frame: the straight line through its distances, less those
 // of the centre, against the lever.
-signal::ImagePlace first_order_place(const IsarPlan& acquisition, const core::Vec3& point_m) {
+signal::ImagePlace first_order_place(const IsarPlan& plan, const core::Vec3& point_m) {
   double n = 0.0, sx = 0.0, sxx = 0.0, sy = 0.0, sxy = 0.0;
-  for (std::size_t p = 0; p < acquisition.seen.size(); ++p) {
-    const core::Vec3& antenna = acquisition.seen[p].position_m;
-    const double x = acquisition.plane.lever[p];
+  for (std::size_t p = 0; p < plan.seen.size(); ++p) {
+    const core::Vec3& antenna = plan.seen[p].position_m;
+    const double x = plan.plane.lever[p];
     const double y = core::norm(antenna - point_m) - core::norm(antenna);
     n += 1.0, sx += x, sxx += x * x, sy += y, sxy += x * y;
   }
@@ -53,22 +53,22 @@ signal::ImagePlace first_order_place(const IsarPlan& acquisition, const core::Ve
   return {slope, (sy - slope * sx) / n};
 }
 
-signal::ImagePlace place_in_plane(const IsarPlan& acquisition, const IsarOptions& options, const core::Vec3& point_m) {
-  if (options.algorithm == IsarOptions::Algorithm::range_doppler && acquisition.plane.turn_rad > min_turn_rad)
-    return first_order_place(acquisition, point_m);
-  return {core::dot(point_m, acquisition.plane.cross_range), core::dot(point_m, acquisition.plane.range)};
+signal::ImagePlace place_in_plane(const IsarPlan& plan, const IsarOptions& options, const core::Vec3& point_m) {
+  if (options.algorithm == IsarOptions::Algorithm::range_doppler && plan.plane.turn_rad > min_turn_rad)
+    return first_order_place(plan, point_m);
+  return {core::dot(point_m, plan.plane.cross_range), core::dot(point_m, plan.plane.range)};
 }
 
 // Half of the size of the picture that holds all points of the target, with some room.
-signal::ImagePlace half_size(const SteppedRows& rows, const IsarPlan& acquisition, const IsarOptions& options,
-                             double cell_x_m, double cell_y_m) {
+signal::ImagePlace half_size(const SteppedRows& rows, const IsarPlan& plan, const IsarOptions& options, double cell_x_m,
+                             double cell_y_m) {
   // Where the target is across the line of sight is not known without its path.
   const double aside_m = (options.motion == IsarOptions::Motion::estimated ? 36.0 : 12.0) * cell_x_m;
   signal::ImagePlace half{aside_m, 12.0 * cell_y_m};
   const simulate::ResolvedScene& scene = *rows.acquisition->scene;
   const auto include = [&](const core::Vec3& point_m) {
-    half.azimuth_m = std::max(half.azimuth_m, std::abs(core::dot(point_m, acquisition.plane.cross_range)) + aside_m);
-    half.range_m = std::max(half.range_m, std::abs(core::dot(point_m, acquisition.plane.range)) + 12.0 * cell_y_m);
+    half.azimuth_m = std::max(half.azimuth_m, std::abs(core::dot(point_m, plan.plane.cross_range)) + aside_m);
+    half.range_m = std::max(half.range_m, std::abs(core::dot(point_m, plan.plane.range)) + 12.0 * cell_y_m);
   };
   for (const simulate::Scatterer& s : scene.scatterers)
     if (s.platform == options.platform) include(s.position_m);
@@ -80,13 +80,13 @@ signal::ImagePlace half_size(const SteppedRows& rows, const IsarPlan& acquisitio
   return half;
 }
 
-void add_remarks(IsarImage& made, const IsarPlan& acquisition, const IsarOptions& options,
-                 const signal::ImagePlace& half, double wavelength_m) {
-  if (acquisition.plane.turn_rad <= min_turn_rad) {
+void add_remarks(IsarImage& made, const IsarPlan& plan, const IsarOptions& options, const signal::ImagePlace& half,
+                 double wavelength_m) {
+  if (plan.plane.turn_rad <= min_turn_rad) {
     made.problems.push_back(core::problem_of(
         core::Severity::error, "the target does not turn against the line of sight: there is no cross-range",
-        fmt::format("{:.3g} degrees", acquisition.plane.turn_rad * 180.0 / core::pi),
-        "a target that turns or flies past", "choose the target's --platform, record for longer, or give --turn-rate"));
+        fmt::format("{:.3g} degrees", plan.plane.turn_rad * 180.0 / core::pi), "a target that turns or flies past",
+        "choose the target's --platform, record for longer, or give --turn-rate"));
     return;
   }
   const double pixels = 4.0 * half.azimuth_m * half.range_m /
@@ -104,53 +104,51 @@ void add_remarks(IsarImage& made, const IsarPlan& acquisition, const IsarOptions
         core::Severity::warning, "the image exceeds the unambiguous cross-range: points appear more than once",
         fmt::format("{:.4g} m", 2.0 * half.azimuth_m), fmt::format("up to {:.4g} m", made.unambiguous_cross_range_m),
         "repeat bursts faster, or choose a smaller --cross-range"));
-  const double quadratic = 0.5 * half.range_m * acquisition.plane.turn_rad * acquisition.plane.turn_rad / wavelength_m;
+  const double quadratic = 0.5 * half.range_m * plan.plane.turn_rad * plan.plane.turn_rad / wavelength_m;
   if (options.algorithm == IsarOptions::Algorithm::range_doppler && quadratic > 0.5)
     made.problems.push_back(core::problem_of(core::Severity::warning,
                                              "the target turns so far that points away from its centre blur",
                                              fmt::format("{:.3g} degrees, {:.3g} pi of phase at the edge",
-                                                         acquisition.plane.turn_rad * 180.0 / core::pi, quadratic),
+                                                         plan.plane.turn_rad * 180.0 / core::pi, quadratic),
                                              "half of pi", "use fewer --bursts, or --algorithm back-projection"));
 }
 
 IsarPlan plan_of(const SteppedRows& rows, std::size_t first, std::size_t count, const IsarOptions& options,
                  IsarImage& made) {
   const signal::SteppedBand& band = *rows.band;
-  IsarPlan acquisition;
-  acquisition.seen = seen_from_platform(rows, options.platform, first, count);
-  acquisition.plane = signal::plane_of(acquisition.seen);
-  if (options.turn_rate_radps) take_turn_rate(acquisition.plane, acquisition.seen, *options.turn_rate_radps);
+  IsarPlan plan;
+  plan.seen = seen_from_platform(rows, options.platform, first, count);
+  plan.plane = signal::plane_of(plan.seen);
+  if (options.turn_rate_radps) take_turn_rate(plan.plane, plan.seen, *options.turn_rate_radps);
   const double c = band.waveform().light_speed_mps;
   const double wavelength_m = radar::wavelength_of(band.centre_hz(), c);
-  const std::vector<signal::PulseMotion> motion = signal::motion_of_origin(acquisition.seen, c);
-  made.from_s = acquisition.seen.front().time_s;
-  made.to_s = acquisition.seen.back().time_s;
+  const std::vector<signal::PulseMotion> motion = signal::motion_of_origin(plan.seen, c);
+  made.from_s = plan.seen.front().time_s;
+  made.to_s = plan.seen.back().time_s;
   made.speed_mps = motion[motion.size() / 2].speed_mps;
-  made.range_m = acquisition.plane.range_m;
-  made.turn_rad = acquisition.plane.turn_rad;
+  made.range_m = plan.plane.range_m;
+  made.turn_rad = plan.plane.turn_rad;
   made.range_resolution_m = radar::range_of_cycle(band.band_hz(), c);
   const auto bursts = static_cast<double>(count);
   // Each burst stands for its part of the turning.
-  made.cross_range_resolution_m =
-      0.5 * wavelength_m / (acquisition.plane.turn_rad * bursts / std::max(1.0, bursts - 1.0));
+  made.cross_range_resolution_m = 0.5 * wavelength_m / (plan.plane.turn_rad * bursts / std::max(1.0, bursts - 1.0));
   made.unambiguous_cross_range_m = made.cross_range_resolution_m * bursts;
-  signal::ImagePlace half =
-      half_size(rows, acquisition, options, made.cross_range_resolution_m, made.range_resolution_m);
+  signal::ImagePlace half = half_size(rows, plan, options, made.cross_range_resolution_m, made.range_resolution_m);
   if (options.motion == IsarOptions::Motion::estimated && !options.cross_range_m)
     half.azimuth_m = std::min(half.azimuth_m, 0.5 * made.unambiguous_cross_range_m);
-  add_remarks(made, acquisition, options, half, wavelength_m);
-  if (core::has_errors(made.problems)) return acquisition;
+  add_remarks(made, plan, options, half, wavelength_m);
+  if (core::has_errors(made.problems)) return plan;
   const double pixel_m = made.cross_range_resolution_m / static_cast<double>(options.oversampling);
   const double rows_aside = std::ceil(half.azimuth_m / pixel_m);
-  acquisition.cross_range = {-rows_aside * pixel_m, pixel_m, static_cast<std::size_t>(2.0 * rows_aside) + 1, 0.0};
-  acquisition.from_m = made.range_m - half.range_m;
-  acquisition.to_m = made.range_m + half.range_m;
+  plan.cross_range = {-rows_aside * pixel_m, pixel_m, static_cast<std::size_t>(2.0 * rows_aside) + 1, 0.0};
+  plan.from_m = made.range_m - half.range_m;
+  plan.to_m = made.range_m + half.range_m;
   for (std::size_t t = 0; t < rows.acquisition->scene->scatterers.size(); ++t) {
     const simulate::Scatterer& s = rows.acquisition->scene->scatterers[t];
     if (s.platform == options.platform)
-      made.points.push_back({t, place_in_plane(acquisition, options, s.position_m), 0.0, {}});
+      made.points.push_back({t, place_in_plane(plan, options, s.position_m), 0.0, {}});
   }
-  return acquisition;
+  return plan;
 }
 
 void set_amplitudes(IsarImage& made, const SteppedRows& rows, std::size_t first, std::size_t count) {
@@ -234,40 +232,38 @@ signal::AutofocusOptions autofocus_of(const IsarOptions& options) {
 }
 
 std::vector<signal::PulseMotion> motion_for(const signal::ProfileMaker& maker, const signal::BurstEchoes& echoes,
-                                            const IsarPlan& acquisition, const IsarOptions& options, IsarImage& made,
+                                            const IsarPlan& plan, const IsarOptions& options, IsarImage& made,
                                             const core::WorkControl& control) {
   const double c = maker.band().waveform().light_speed_mps;
-  if (options.motion == IsarOptions::Motion::scene) return signal::motion_of_origin(acquisition.seen, c);
+  if (options.motion == IsarOptions::Motion::scene) return signal::motion_of_origin(plan.seen, c);
   made.speed_mps =
       signal::estimate_velocity(maker, echoes, -options.fastest_mps, options.fastest_mps, control).speed_mps;
-  return signal::motion_of_speed(echoes.time_s, acquisition.seen[acquisition.seen.size() / 2].time_s, made.speed_mps,
-                                 c);
+  return signal::motion_of_speed(echoes.time_s, plan.seen[plan.seen.size() / 2].time_s, made.speed_mps, c);
 }
 
 }  // namespace
 
 IsarImage plan_isar_image(const SteppedRows& rows, std::size_t first, std::size_t count, const IsarOptions& options) {
   IsarImage made;
-  const IsarPlan acquisition = plan_of(rows, first, count, options, made);
-  made.image.azimuth = acquisition.cross_range;
+  const IsarPlan plan = plan_of(rows, first, count, options, made);
+  made.image.azimuth = plan.cross_range;
   return made;
 }
 
 IsarImage make_isar_image(const SteppedRows& rows, std::size_t first, std::size_t count, const IsarOptions& options,
                           const core::WorkControl& control, const core::ProgressReport& progress) {
   IsarImage made;
-  const IsarPlan acquisition = plan_of(rows, first, count, options, made);
+  const IsarPlan plan = plan_of(rows, first, count, options, made);
   if (core::has_errors(made.problems)) throw std::invalid_argument(made.problems.front().message);
-  const signal::ProfileMaker maker(*rows.band, over_unit(options.range_window), acquisition.from_m, acquisition.to_m,
+  const signal::ProfileMaker maker(*rows.band, over_unit(options.range_window), plan.from_m, plan.to_m,
                                    options.oversampling);
   const signal::BurstEchoes echoes = read_bursts(rows, first, count, control);
-  const std::vector<signal::PulseMotion> motion = motion_for(maker, echoes, acquisition, options, made, control);
+  const std::vector<signal::PulseMotion> motion = motion_for(maker, echoes, plan, options, made, control);
   const signal::IsarEchoes all{echoes.values, motion, over_unit(options.azimuth_window)};
   made.image =
       options.algorithm == IsarOptions::Algorithm::back_projection
-          ? signal::isar_back_projection(maker, all, acquisition.seen, acquisition.plane, acquisition.cross_range,
-                                         control, progress)
-          : signal::isar_range_doppler(maker, all, acquisition.plane, acquisition.cross_range, control, progress);
+          ? signal::isar_back_projection(maker, all, plan.seen, plan.plane, plan.cross_range, control, progress)
+          : signal::isar_range_doppler(maker, all, plan.plane, plan.cross_range, control, progress);
   if (options.autofocus) made.image = signal::autofocus(made.image, autofocus_of(options), control).image;
   set_amplitudes(made, rows, first, count);
   if (options.motion == IsarOptions::Motion::estimated) lay_upon_image(made);

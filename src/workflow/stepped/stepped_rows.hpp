@@ -62,7 +62,7 @@ enum class SteppedUse {
                                                      const simulate::Acquisition& acquisition);
 
 /// Rows of a scene. `plan` is of a simulation made by `recorded_for_stepped`.
-/// @param window  the plan of the script's own window
+/// @param window  the acquisition of the script's own window
 [[nodiscard]] SteppedRows stepped_rows_of_scene(const std::shared_ptr<const simulate::Acquisition>& acquisition,
                                                 const simulate::Acquisition& window);
 
