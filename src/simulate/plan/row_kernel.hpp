@@ -61,6 +61,8 @@ struct RowKernelKind {
   std::size_t points_at_once = 0;  ///< Scatterers whose echoes it takes together; 0: all.
   double MachineSpeed::*speed = nullptr;
   RecordingToMeasure to_measure;
+  /// What it needs for the echoes of a pulse.
+  /// @param pulses  of the recording
   KernelCost (*cost)(const PulseCost& pulse, const radar::PulseRange& pulses) = nullptr;
   /// @param pulse   outlives the kernel
   /// @param filter  empty where the row is raw

@@ -14,7 +14,7 @@ namespace sarsim::simulate {
 
 /// Numbers of the pulses at which a beam that turns points nearest to the targets in azimuth: up to five passes of
 /// each, at times spread over the recording. An even choice of pulses would pass a narrow beam by.
-/// @param plan  of a radar whose beam turns
+/// @param acquisition  of a radar whose beam turns
 /// @param most  how many pulses at most: of all targets the first pass before the second of any
 /// @return in no order, perhaps some more than once; none for targets that the beam does not meet in the recording
 [[nodiscard]] std::vector<std::int64_t> pulses_on_targets(const Acquisition& acquisition, std::size_t most);

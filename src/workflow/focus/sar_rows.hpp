@@ -39,7 +39,7 @@ namespace sarsim::workflow {
 [[nodiscard]] signal::EchoRows sar_rows_of_scene(const std::shared_ptr<const simulate::Acquisition>& acquisition,
                                                  std::size_t samples);
 
-/// Compressed echoes of a recording that a plan describes: raw data are compressed as above, compressed ones taken as
+/// Compressed echoes of a recording: raw data are compressed as above, compressed ones taken as
 /// they are.
 /// @param recorded  rows like those that the acquisition makes
 [[nodiscard]] signal::EchoRows sar_rows_of_recording(const std::shared_ptr<const simulate::Acquisition>& acquisition,

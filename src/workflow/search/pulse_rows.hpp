@@ -36,7 +36,7 @@ struct PulseRows : core::SampleRows<float> {
 /// @param acquisition  of a simulation made by `compressed_simulation`
 [[nodiscard]] PulseRows pulse_rows_of_scene(const std::shared_ptr<const simulate::Acquisition>& acquisition);
 
-/// Pulses of a recording that a plan describes: compressed ones as they are, raw ones through the matched filter of the
+/// Pulses of a recording : compressed ones as they are, raw ones through the matched filter of the
 /// physical profile with the radar's window (docs/theory/compression.md).
 /// @param recorded  rows like those that the acquisition makes
 /// @throw  std::invalid_argument for synthetic range profiles

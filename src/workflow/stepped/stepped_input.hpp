@@ -23,7 +23,7 @@ struct SteppedInput {
                                             const std::shared_ptr<const simulate::ResolvedScene>& resolved,
                                             SteppedUse use);
 /// The same of a simulation that is planned already.
-/// @param planned  its plan, of any engine
+/// @param planned  what it records
 [[nodiscard]] SteppedInput stepped_input_of(scene::Scene& scene, std::size_t number,
                                             const simulate::Acquisition& planned, SteppedUse use);
 

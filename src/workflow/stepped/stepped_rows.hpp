@@ -61,12 +61,12 @@ enum class SteppedUse {
 [[nodiscard]] scene::Simulation recorded_for_stepped(const scene::Simulation& simulation,
                                                      const simulate::Acquisition& acquisition);
 
-/// Rows of a scene. `plan` is of a simulation made by `recorded_for_stepped`.
+/// Rows of a scene, of a simulation made by `recorded_for_stepped`.
 /// @param window  the acquisition of the script's own window
 [[nodiscard]] SteppedRows stepped_rows_of_scene(const std::shared_ptr<const simulate::Acquisition>& acquisition,
                                                 const simulate::Acquisition& window);
 
-/// Rows of a recording, raw or compressed, that a plan describes.
+/// Rows of a recording, raw or compressed.
 [[nodiscard]] SteppedRows stepped_rows_of_recording(const std::shared_ptr<const simulate::Acquisition>& acquisition,
                                                     core::SampleRows<double> recorded);
 
