@@ -222,7 +222,7 @@ function(sarsim_compile_together target most)
 endfunction()
 
 # The folders that libsarsim.so is made of.
-set(SARSIM_LIBRARY_FOLDERS core radar signal scene simulate raster workflow capi)
+set(SARSIM_LIBRARY_FOLDERS core radar signal scene raster simulate workflow capi)
 
 # Compiles a static library so that a shared one can be made of it. That its names are hidden keeps calls within it, and loads
 # of what it defines, as direct as in a program.
@@ -298,7 +298,7 @@ function(sarsim_program_test label seconds)
   set(name ${label}_end_to_end_test)
   add_executable(${name} ${CMAKE_SOURCE_DIR}/tests/cli/program.cpp ${ARGN})
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests ${CMAKE_SOURCE_DIR}/tests/cli)
-  target_link_libraries(${name} PRIVATE sarsim_raster GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE sarsim_simulate GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE SARSIM_PROGRAM="$<TARGET_FILE:sarsim>" SARSIM_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                              SARSIM_PYTHON="${Python3_EXECUTABLE}")
   sarsim_reuse_headers(${name} sarsim_headers_of_tests)

@@ -67,7 +67,7 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/guide/notebooks DESTINATION share/doc
         FILES_MATCHING PATTERN "*.ipynb")
 
 # The libraries for C++: the folders from core to picture, with the headers that are not private to a layer.
-set(libraries core radar signal scene simulate raster workflow picture)
+set(libraries core radar signal scene raster simulate workflow picture)
 foreach(name IN LISTS libraries)
   set_target_properties(sarsim_${name} PROPERTIES EXPORT_NAME ${name})
   add_library(Sarsim::${name} ALIAS sarsim_${name})

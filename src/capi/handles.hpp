@@ -45,7 +45,7 @@ struct sarsim_scene {
 struct sarsim_plan {
   sarsim::workflow::ScenePlan planned;
   std::size_t number = 1;  ///< Of the recording in its scene, from 1.
-  sarsim::simulate::Product product;
+  sarsim::raster::Product product;
   std::string processing;
   std::string format;
   std::string file;

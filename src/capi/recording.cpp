@@ -26,7 +26,7 @@ static_assert(sizeof(std::complex<float>) == 2 * sizeof(float) && sizeof(std::co
 namespace {
 
 // Rows or columns [first, first + count) of so many, as a caller asks for them.
-simulate::RowRange range_of(uint64_t first, uint64_t count, std::size_t all, const char* what) {
+raster::RowRange range_of(uint64_t first, uint64_t count, std::size_t all, const char* what) {
   if (first > all || count > all - first)
     throw capi::BadArgument(std::string(what) + ": there are " + std::to_string(all) + ", asked for " +
                             std::to_string(count) + " from " + std::to_string(first));
@@ -36,7 +36,7 @@ simulate::RowRange range_of(uint64_t first, uint64_t count, std::size_t all, con
 template <class Real>
 void record(const sarsim_plan* plan, uint64_t first, uint64_t count, Real* samples, const sarsim_work* work) {
   const workflow::ScenePlan& planned = capi::given(plan, "plan").planned;
-  const simulate::RowRange rows = range_of(first, count, planned.plan.acquisition.timing.rows, "rows");
+  const raster::RowRange rows = range_of(first, count, planned.plan.acquisition.timing.rows, "rows");
   const sarsim_work how = capi::work_of(work);
   if (rows.count == 0) return;
   // An array of complex numbers is one of pairs of numbers, and the reverse is what every compiler makes of it.
@@ -47,7 +47,7 @@ void record(const sarsim_plan* plan, uint64_t first, uint64_t count, Real* sampl
 
 // What the axes of rows say of one row: one number or three.
 template <class Take>
-void each_value(const simulate::Product& product, sarsim_axis axis, std::size_t index, const Take& take) {
+void each_value(const raster::Product& product, sarsim_axis axis, std::size_t index, const Take& take) {
   const auto take_all = [&take](const std::array<double, 3>& values) {
     for (const double value : values) take(value);
   };
@@ -126,10 +126,9 @@ sarsim_status sarsim_plan_get_info(const sarsim_plan* plan, sarsim_plan_info* in
 sarsim_status sarsim_plan_axis(const sarsim_plan* plan, sarsim_axis axis, uint64_t first, uint64_t count,
                                double* values, sarsim_problems** problems) {
   return capi::call(problems, [&](core::Problems&) {
-    const simulate::Product& product = capi::given(plan, "sarsim_plan_axis: plan").product;
+    const raster::Product& product = capi::given(plan, "sarsim_plan_axis: plan").product;
     const bool columns = axis == SARSIM_COLUMN_RANGE_M;
-    const simulate::RowRange range =
-        range_of(first, count, columns ? product.columns : product.rows, "sarsim_plan_axis");
+    const raster::RowRange range = range_of(first, count, columns ? product.columns : product.rows, "sarsim_plan_axis");
     if (range.count == 0) return;
     double* next = &capi::given(values, "sarsim_plan_axis: values");
     for (std::size_t i = range.first; i < range.end(); ++i)
@@ -151,7 +150,7 @@ sarsim_status sarsim_record_rows(const sarsim_plan* plan, uint64_t first, uint64
                                  sarsim_rows rows, void* user, const sarsim_work* work, sarsim_problems** problems) {
   return capi::call(problems, [&](core::Problems&) {
     const workflow::ScenePlan& planned = capi::given(plan, "sarsim_record_rows: plan").planned;
-    const simulate::RowRange wanted = range_of(first, count, planned.plan.acquisition.timing.rows, "rows");
+    const raster::RowRange wanted = range_of(first, count, planned.plan.acquisition.timing.rows, "rows");
     const sarsim_work how = capi::work_of(work);
     if (rows == nullptr) throw capi::BadArgument("sarsim_record_rows: rows is NULL");
     const std::size_t columns = planned.plan.acquisition.reception.columns;
@@ -159,7 +158,7 @@ sarsim_status sarsim_record_rows(const sarsim_plan* plan, uint64_t first, uint64
         block > 0 ? static_cast<std::size_t>(std::min<uint64_t>(block, wanted.count)) : workflow::rows_at_once(columns);
     std::vector<std::complex<float>> samples(at_once * columns);
     for (std::size_t row = wanted.first; row < wanted.end(); row += at_once) {
-      const simulate::RowRange part{row, std::min(at_once, wanted.end() - row)};
+      const raster::RowRange part{row, std::min(at_once, wanted.end() - row)};
       core::Observer observer = capi::observer_of(how);
       if (observer.progress)
         observer.progress = [progress = observer.progress, done = row - wanted.first, all = wanted.count](

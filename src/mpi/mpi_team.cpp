@@ -27,19 +27,19 @@ void rest() { std::this_thread::sleep_for(std::chrono::microseconds(300)); }
 // What is left to be dealt, in order: large pieces first, small ones at the end, so that all end together.
 class MpiTeam::Desk {
  public:
-  Desk(std::vector<simulate::RowRange> todo, int processes)
+  Desk(std::vector<raster::RowRange> todo, int processes)
       : todo_(std::move(todo)), pieces_at_a_time_(4 * static_cast<std::size_t>(processes)) {
-    for (const simulate::RowRange& range : todo_) left_ += range.count;
+    for (const raster::RowRange& range : todo_) left_ += range.count;
     total_ = left_;
     min_ = std::max<std::size_t>(total_ / (pieces_at_a_time_ * 64), 1);
   }
 
-  [[nodiscard]] simulate::RowRange next() {
+  [[nodiscard]] raster::RowRange next() {
     const std::scoped_lock hold(lock_);
     while (at_ < todo_.size() && todo_[at_].count == 0) ++at_;
     if (at_ == todo_.size()) return {};
-    simulate::RowRange& from = todo_[at_];
-    const simulate::RowRange piece{from.first, std::min(std::max(left_ / pieces_at_a_time_, min_), from.count)};
+    raster::RowRange& from = todo_[at_];
+    const raster::RowRange piece{from.first, std::min(std::max(left_ / pieces_at_a_time_, min_), from.count)};
     from.first += piece.count;
     from.count -= piece.count;
     left_ -= piece.count;
@@ -52,7 +52,7 @@ class MpiTeam::Desk {
 
  private:
   std::mutex lock_;
-  std::vector<simulate::RowRange> todo_;
+  std::vector<raster::RowRange> todo_;
   std::size_t at_ = 0;  // The first of them that is not dealt yet.
   std::size_t left_ = 0;
   std::size_t total_ = 0;
@@ -94,7 +94,7 @@ std::string MpiTeam::from_leader(const std::string& text) {
   return said;
 }
 
-void MpiTeam::deal(const std::vector<simulate::RowRange>& todo, const std::function<void(simulate::RowRange)>& work,
+void MpiTeam::deal(const std::vector<raster::RowRange>& todo, const std::function<void(raster::RowRange)>& work,
                    const core::ProgressReport& progress) {
   if (!leads()) {
     follow(work);
@@ -104,26 +104,26 @@ void MpiTeam::deal(const std::vector<simulate::RowRange>& todo, const std::funct
   lead(desk, work, progress);
 }
 
-void MpiTeam::follow(const std::function<void(simulate::RowRange)>& work) {
+void MpiTeam::follow(const std::function<void(raster::RowRange)>& work) {
   std::uint64_t made = 0;
   for (;;) {
     MPI_Send(&made, 1, MPI_UINT64_T, 0, request_tag, MPI_COMM_WORLD);
     std::array<std::uint64_t, 2> answer{};
     MPI_Recv(answer.data(), 2, MPI_UINT64_T, 0, answer_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    const simulate::RowRange piece{static_cast<std::size_t>(answer[0]), static_cast<std::size_t>(answer[1])};
+    const raster::RowRange piece{static_cast<std::size_t>(answer[0]), static_cast<std::size_t>(answer[1])};
     if (piece.count == 0) return;
     work(piece);
     made = piece.count;
   }
 }
 
-void MpiTeam::lead(Desk& desk, const std::function<void(simulate::RowRange)>& work,
+void MpiTeam::lead(Desk& desk, const std::function<void(raster::RowRange)>& work,
                    const core::ProgressReport& progress) {
   std::atomic<bool> idle{false};
   std::exception_ptr failure;
   std::jthread worker([&] {
     try {
-      for (simulate::RowRange piece = desk.next(); piece.count > 0; piece = desk.next()) {
+      for (raster::RowRange piece = desk.next(); piece.count > 0; piece = desk.next()) {
         work(piece);
         desk.count_done(piece.count);
       }
@@ -145,7 +145,7 @@ void MpiTeam::lead(Desk& desk, const std::function<void(simulate::RowRange)>& wo
     std::uint64_t made = 0;
     MPI_Recv(&made, 1, MPI_UINT64_T, status.MPI_SOURCE, request_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     desk.count_done(static_cast<std::size_t>(made));
-    const simulate::RowRange piece = desk.next();
+    const raster::RowRange piece = desk.next();
     const std::array<std::uint64_t, 2> answer{piece.first, piece.count};
     MPI_Send(answer.data(), 2, MPI_UINT64_T, status.MPI_SOURCE, answer_tag, MPI_COMM_WORLD);
     if (piece.count == 0) --followers;

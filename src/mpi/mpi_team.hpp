@@ -17,14 +17,14 @@ class MpiTeam final : public workflow::Team {
   [[nodiscard]] bool speaks() const override { return speaker_ == rank_; }
   [[nodiscard]] std::string from_leader(const std::string& text) override;
   /// The leader's main thread answers whoever asks for work, while another thread of it computes as well.
-  void deal(const std::vector<simulate::RowRange>& todo, const std::function<void(simulate::RowRange)>& work,
+  void deal(const std::vector<raster::RowRange>& todo, const std::function<void(raster::RowRange)>& work,
             const core::ProgressReport& progress) override;
 
  private:
   class Desk;
 
-  void lead(Desk& desk, const std::function<void(simulate::RowRange)>& work, const core::ProgressReport& progress);
-  void follow(const std::function<void(simulate::RowRange)>& work);
+  void lead(Desk& desk, const std::function<void(raster::RowRange)>& work, const core::ProgressReport& progress);
+  void follow(const std::function<void(raster::RowRange)>& work);
 
   int rank_ = 0;
   int size_ = 1;

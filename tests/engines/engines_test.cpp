@@ -24,7 +24,7 @@ scene::Scene scene_of(const std::string& script) {
 
 std::vector<std::complex<double>> samples_with(const scene::Scene& scene, simulate::Engine engine,
                                                unsigned threads = 0) {
-  simulate::RunControl control;
+  raster::RunControl control;
   control.threads = threads;
   return simulate::record(simulate::make_plan(scene, 0, nullptr, engine), control).samples;
 }

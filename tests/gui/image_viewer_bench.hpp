@@ -45,7 +45,7 @@ inline std::complex<double> sample(std::size_t row, std::size_t column) {
 inline void write_samples(const fs::path& path, const raster::SinkOptions& options, std::size_t count,
                           std::size_t width,
                           const std::function<std::complex<double>(std::size_t row, std::size_t column)>& value) {
-  simulate::Product product;
+  raster::Product product;
   product.radar = "radar";
   product.rows = count;
   product.columns = width;
@@ -64,13 +64,13 @@ inline void write_samples(const fs::path& path, const raster::SinkOptions& optio
       counts.push_back(std::llround(volts.back().real()));
       counts.push_back(std::llround(volts.back().imag()));
     }
-  simulate::Block block{0, count, width, {}, {}};
+  raster::Block block{0, count, width, {}, {}};
   if (sink->wants_counts())
     block.counts = counts;
   else
     block.volts = volts;
   sink->append(sink->encode(block), 0, count);
-  simulate::RunReport report;
+  raster::RunReport report;
   report.rows = count;
   report.columns = width;
   report.lsb_v = 1.0;

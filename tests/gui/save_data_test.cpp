@@ -44,7 +44,7 @@ std::string run_by_hand(const scene::Scene& scene, std::size_t index, const fs::
   const simulate::Plan plan = simulate::make_plan(scene, index, nullptr, simulate::Engine::automatic);
   options.format = plan.acquisition.simulation.format;
   const bool with_script = plan.acquisition.simulation.format == scene::FileFormat::hdf5;
-  const std::unique_ptr<simulate::Sink> sink = raster::make_sink(
+  const std::unique_ptr<raster::Sink> sink = raster::make_sink(
       path, simulate::product_of(plan, with_script ? scene::write_script(scene) : std::string()), options);
   simulate::run(plan, simulate::resolved_lsb_v(plan, {}), *sink, {});
   return file_text(path);

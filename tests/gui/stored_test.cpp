@@ -41,7 +41,7 @@ scene::Scene recorded_scene() {
 // What `sarsim run` writes for a simulation.
 std::string run_by_hand(const scene::Scene& scene, const std::filesystem::path& path) {
   const simulate::Plan plan = simulate::make_plan(scene, 0, nullptr, simulate::Engine::automatic);
-  const std::unique_ptr<simulate::Sink> sink =
+  const std::unique_ptr<raster::Sink> sink =
       raster::make_sink(path, simulate::product_of(plan, {}), {plan.acquisition.simulation.format, true, false, false});
   simulate::run(plan, simulate::resolved_lsb_v(plan, {}), *sink, {});
   return file_text(path);

@@ -187,12 +187,12 @@ class Examiner {
   }
 
   // The bytes of some rows, and the LSB.
-  std::vector<std::byte> bytes_of(const simulate::Plan& plan, double lsb_v, const simulate::Sink& encoder,
-                                  simulate::RowRange rows, unsigned threads) {
+  std::vector<std::byte> bytes_of(const simulate::Plan& plan, double lsb_v, const raster::Sink& encoder,
+                                  raster::RowRange rows, unsigned threads) {
     std::vector<std::byte> bytes;
-    simulate::RunControl control;
+    raster::RunControl control;
     control.threads = threads;
-    simulate::run_rows(plan, rows, lsb_v, encoder, control, [&](const simulate::EncodedRows& encoded) {
+    simulate::run_rows(plan, rows, lsb_v, encoder, control, [&](const raster::EncodedRows& encoded) {
       bytes.insert(bytes.end(), encoded.bytes.begin(), encoded.bytes.end());
     });
     return bytes;
@@ -200,7 +200,7 @@ class Examiner {
 
   void compare_divisions(std::size_t index, simulate::Engine engine) {
     const simulate::Plan plan = simulate::make_plan(scene_, index, resolved_, engine);
-    simulate::RunControl one, three;
+    raster::RunControl one, three;
     one.threads = 1;
     three.threads = 3;
     const double lsb_v = simulate::resolved_lsb_v(plan, one);

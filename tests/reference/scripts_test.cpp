@@ -98,8 +98,7 @@ void run_simulation(const scene::Scene& scene, std::size_t index) {
               cost_s);
   if (cost_s <= affordable_s) {
     test::DiscardingSink sink;
-    const simulate::RunReport report =
-        simulate::run(plan, plan.acquisition.simulation.lsb_v, sink, simulate::RunControl{});
+    const raster::RunReport report = simulate::run(plan, plan.acquisition.simulation.lsb_v, sink, raster::RunControl{});
     EXPECT_TRUE(sink.finished());
     EXPECT_EQ(sink.rows(), plan.acquisition.timing.rows);
     EXPECT_TRUE(std::isfinite(report.maximum_v));

@@ -41,7 +41,7 @@ TEST(Seed, OfOneValueGivesOneRecordingByteForByte) {
 TEST(Seed, GivesTheSameBytesForAnyNumberOfThreads) {
   scene::Scene scene = random_scene();
   set_pulses(scene, 0, 4000);  // several blocks of rows
-  simulate::RunControl control;
+  raster::RunControl control;
   control.threads = 1;
   const simulate::Recording one = simulate::record(simulate::make_plan(scene, 0), control);
   for (const unsigned threads : {2U, 5U}) {

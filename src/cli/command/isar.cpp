@@ -27,7 +27,7 @@ std::string summary_text(const workflow::WrittenIsarImage& written) {
       "m/s; turned by {:.4g} degrees; resolution {:.4g} m in cross-range (unambiguous {:.4g} m), {:.4g} m in range\n",
       written.file.string(), made.image.azimuth.count, made.image.range.count, made.image.azimuth.step_m,
       made.image.range.step_m, written.first_burst + 1, written.first_burst + written.bursts, made.from_s, made.to_s,
-      made.range_m, decimals(made.speed_mps, 3), made.turn_rad * 180.0 / core::pi, made.cross_range_resolution_m,
+      made.range_m, decimals(made.speed_mps, 3), core::deg_per_rad * made.turn_rad, made.cross_range_resolution_m,
       made.unambiguous_cross_range_m, made.range_resolution_m);
 }
 

@@ -9,7 +9,7 @@ namespace sarsim::cli {
 
 namespace {
 
-double share(std::uint64_t part, const simulate::RunReport& run) {
+double share(std::uint64_t part, const raster::RunReport& run) {
   const double samples = static_cast<double>(run.rows) * static_cast<double>(run.columns);
   return samples > 0.0 ? static_cast<double>(part) / samples : 0.0;
 }
@@ -32,7 +32,7 @@ std::string decimals(double value, int digits) {
 }
 
 std::string report_text(const workflow::RecordingReport& report) {
-  const simulate::RunReport& run = report.run;
+  const raster::RunReport& run = report.run;
   std::string text = fmt::format(
       "{}: {} x {} samples, {}{}\n", report.file.empty() ? "nothing written" : report.file, run.rows, run.columns,
       report.bytes ? core::bytes_text(*report.bytes) + ", " : std::string(), core::duration_text(report.seconds));
@@ -56,7 +56,7 @@ std::string report_text(const workflow::RecordingReport& report) {
 }
 
 void write_json(core::JsonWriter& json, const workflow::RecordingReport& report) {
-  const simulate::RunReport& run = report.run;
+  const raster::RunReport& run = report.run;
   json.begin_object().member("kind", "recording").key("file");
   if (report.file.empty())
     json.null();

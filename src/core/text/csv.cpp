@@ -31,6 +31,18 @@ std::vector<std::string> take_csv_line(std::string_view& text) {
 
 }  // namespace
 
+std::vector<std::string> csv_cells(std::string_view line) { return take_csv_line(line); }
+
+std::string csv_cell(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
 CsvTable read_csv(std::string_view text) {
   CsvTable table;
   if (text.empty()) return table;

@@ -13,6 +13,12 @@ struct CsvTable {
   std::vector<std::vector<std::string>> rows;  ///< Each as long as `names`.
 };
 
+/// The values of one line of such a table, which may end with LF or CR LF.
+[[nodiscard]] std::vector<std::string> csv_cells(std::string_view line);
+
+/// A text as one value of such a table: in quotes where it would break the line.
+[[nodiscard]] std::string csv_cell(std::string_view text);
+
 /// Splits such a text; lines end with LF or CR LF. Rows that are too short get empty values, too long ones are cut.
 [[nodiscard]] CsvTable read_csv(std::string_view text);
 

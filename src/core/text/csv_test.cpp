@@ -20,4 +20,12 @@ TEST(Csv, RowsAreAsLongAsTheNames) {
   EXPECT_TRUE(read_csv("").names.empty());
 }
 
+TEST(Csv, ACellIsReadBackAsItWas) {
+  EXPECT_EQ(csv_cell("a b"), "a b");
+  EXPECT_EQ(csv_cell("a,\"b\""), "\"a,\"\"b\"\"\"");
+  for (const std::string text : {"", "a", "a,b", "\"", "\"\"", "a\r\nb", ","})
+    EXPECT_EQ(csv_cells(csv_cell(text) + "," + csv_cell(text) + "\r\n"), (std::vector<std::string>{text, text}))
+        << text;
+}
+
 }  // namespace sarsim::core

@@ -17,6 +17,9 @@ namespace sarsim::core {
 /// Reads a whole text as an integer; nothing for other text or overflow.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view text);
 
+/// Reads a whole text that is digits alone, without a sign; nothing for other text or above 64 bits.
+[[nodiscard]] std::optional<std::uint64_t> parse_whole(std::string_view digits, int base = 10);
+
 /// The shortest text that `parse_number(text, -exponent_shift)` turns back into exactly `value`:
 /// plain digits for exponents of moderate size, otherwise E notation. `format_number(8e-7, 9)` is
 /// "800". Negative zero is written "0"; what is not finite "nan", "inf" and "-inf", as Python and NumPy read it and

@@ -134,6 +134,14 @@ TEST(ParseInteger, ReadsWholeNumbersAndRefusesTheRest) {
     EXPECT_FALSE(parse_integer(text)) << '"' << text << '"';
 }
 
+TEST(NumberText, WholeNumbersAreDigitsAlone) {
+  EXPECT_EQ(parse_whole("0"), 0U);
+  EXPECT_EQ(parse_whole("18446744073709551615"), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(parse_whole("00ff", 16), 255U);
+  for (const char* const text : {"", "+1", "-1", " 1", "1 ", "1.0", "0x1", "18446744073709551616"})
+    EXPECT_FALSE(parse_whole(text)) << '"' << text << '"';
+}
+
 // Every finite double, also with the smallest exponents, as long as the shifted number stays within the range of
 // doubles.
 TEST(FormatNumber, IsReadBackAsExactlyTheSameNumber) {

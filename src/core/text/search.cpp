@@ -18,9 +18,7 @@ constexpr int beginning_score = 1;   // of the whole text, in addition
 constexpr int whole_text_score = 4;  // nothing is left over
 
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_word_part(char c) {
-  return (c >= 'a' && c <= 'z') || is_upper(c) || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80U;
-}
+bool is_word_part(char c) { return is_letter(c) || is_digit(c) || static_cast<unsigned char>(c) >= 0x80U; }
 
 // After a blank or sign, or at a capital behind a small letter.
 bool begins_word(std::string_view text, std::size_t i) {

@@ -11,8 +11,7 @@ namespace sarsim::core {
 /// A word as a shell and `workflow::words_of_line` read it back: as it stands, or in quotation marks.
 [[nodiscard]] inline std::string shell_word(std::string_view text) {
   const auto plain = [](char c) {
-    return is_digit(c) || (lower(c) >= 'a' && lower(c) <= 'z') ||
-           std::string_view("_./:=,+-%@").find(c) != std::string_view::npos;
+    return is_digit(c) || is_letter(c) || std::string_view("_./:=,+-%@").find(c) != std::string_view::npos;
   };
   if (!text.empty() && std::ranges::all_of(text, plain)) return std::string(text);
   std::string word = "'";

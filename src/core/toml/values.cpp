@@ -5,6 +5,7 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/utf8.hpp"
 #include "core/toml/scalars.hpp"
 #include "core/toml/scan.hpp"
 
@@ -13,23 +14,6 @@ namespace sarsim::core::toml {
 namespace {
 
 constexpr std::size_t npos = std::string_view::npos;
-
-void append_utf8(std::string& bytes, char32_t c) {
-  const auto add = [&](char32_t byte) { bytes += static_cast<char>(static_cast<unsigned char>(byte)); };
-  if (c < 0x80) return add(c);
-  if (c < 0x800) {
-    add(0xC0 | (c >> 6U));
-  } else {
-    if (c < 0x10000) {
-      add(0xE0 | (c >> 12U));
-    } else {
-      add(0xF0 | (c >> 18U));
-      add(0x80 | ((c >> 12U) & 0x3FU));
-    }
-    add(0x80 | ((c >> 6U) & 0x3FU));
-  }
-  add(0x80 | (c & 0x3FU));
-}
 
 std::string decoded(std::string_view text, const Quotes& quotes) {
   const std::string_view inner = text.substr(0, quotes.inner.end);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim::core {
@@ -61,6 +62,27 @@ std::string parse_xml(std::string_view text, pugi::xml_document& document) {
   }
   if (!wrong.empty()) document.reset();
   return wrong;
+}
+
+std::string_view local_name(pugi::xml_node node) {
+  const std::string_view name = node.name();
+  return name.substr(name.find(':') + 1);
+}
+
+bool same_content(pugi::xml_node a, pugi::xml_node b) {
+  if (trimmed(a.child_value()) != trimmed(b.child_value())) return false;
+  const auto element_after = [](pugi::xml_node node) {
+    while (node && node.type() != pugi::node_element) node = node.next_sibling();
+    return node;
+  };
+  pugi::xml_node of_a = element_after(a.first_child());
+  pugi::xml_node of_b = element_after(b.first_child());
+  while (of_a && of_b) {
+    if (local_name(of_a) != local_name(of_b) || !same_content(of_a, of_b)) return false;
+    of_a = element_after(of_a.next_sibling());
+    of_b = element_after(of_b.next_sibling());
+  }
+  return !of_a && !of_b;
 }
 
 std::string xml_text(const pugi::xml_document& document) {

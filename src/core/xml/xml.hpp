@@ -22,6 +22,13 @@ inline constexpr std::size_t deepest_xml = 100;
 /// an empty text.
 [[nodiscard]] std::string parse_xml(std::string_view text, pugi::xml_document& document);
 
+/// The name of an element without the prefix of its name space.
+[[nodiscard]] std::string_view local_name(pugi::xml_node node);
+
+/// Whether two elements hold the same texts and elements (`local_name`), blanks at the ends of texts aside; attributes
+/// are not compared.
+[[nodiscard]] bool same_content(pugi::xml_node a, pugi::xml_node b);
+
 /// The document as UTF-8 with a declaration, one element per line, indented by two blanks; the same bytes for the same
 /// tree.
 [[nodiscard]] std::string xml_text(const pugi::xml_document& document);

@@ -43,6 +43,22 @@ TEST(Xml, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault("<a>\n<b"), HasSubstr("line 2"));
 }
 
+TEST(Xml, ComparesWhatElementsHold) {
+  const auto alike = [](const char* a, const char* b) {
+    pugi::xml_document of_a;
+    pugi::xml_document of_b;
+    EXPECT_EQ(parse_xml(a, of_a) + parse_xml(b, of_b), "");
+    return same_content(of_a.document_element(), of_b.document_element());
+  };
+  EXPECT_TRUE(alike("<a> 1\n<b/><c>x</c></a>", "<n:a m='2'>1<!-- so --><n:b></n:b> <c>\tx</c></n:a>"));
+  for (const char* const other : {"<a>2</a>", "<a>1<b/></a>", "<a>1<b/><d>x</d></a>", "<a>1<b/><c>y</c></a>",
+                                  "<a>1<b/><c>x</c><c>x</c></a>", "<a>1<c>x</c><b/></a>"})
+    EXPECT_FALSE(alike("<a>1<b/><c>x</c></a>", other)) << other;
+  pugi::xml_document document;
+  ASSERT_EQ(parse_xml("<p:a/>", document), "");
+  EXPECT_EQ(local_name(document.document_element()), "a");
+}
+
 TEST(Xml, RefusesEntities) {
   // The "billion laughs" and a file of the machine.
   EXPECT_THAT(fault("<!DOCTYPE a [<!ENTITY b \"ha\"><!ENTITY c \"&b;&b;\">]><a>&c;</a>"), HasSubstr("<!DOCTYPE"));

@@ -11,8 +11,8 @@
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/open_image_dialog.hpp"
 #include "raster/format/custom_raw.hpp"
-#include "raster/format/recording_hints.hpp"
 #include "raster/table/formats.hpp"
+#include "workflow/input/recording_hints.hpp"
 
 namespace sarsim::gui {
 
@@ -57,7 +57,7 @@ ImageViewer* ImageViewers::open_file(const std::filesystem::path& path) {
 
 void ImageViewers::show_file(ImageViewer& viewer, const std::filesystem::path& path) {
   raster::RasterHints hints;
-  if (const auto known = raster::hints_from_scene(session_.scene(), path)) hints = *known;
+  if (const auto known = workflow::hints_from_scene(session_.scene(), path)) hints = *known;
   hints.raw = raster::envi_layout(path);
   viewer.open(path, hints);
 }

@@ -23,7 +23,7 @@
 #include "gui/common/text.hpp"
 #include "gui/image/image_part.hpp"
 #include "raster/format/custom_raw.hpp"
-#include "raster/format/recording_hints.hpp"
+#include "workflow/input/recording_hints.hpp"
 
 namespace sarsim::gui {
 
@@ -60,7 +60,7 @@ FoundOut find_out(const std::filesystem::path& file, const scene::Scene& scene) 
     said.reason = OpenImageDialog::tr("its header says so").toStdString();
     found.guesses.insert(found.guesses.begin(), said);
   }
-  found.known = raster::hints_from_scene(scene, file);
+  found.known = workflow::hints_from_scene(scene, file);
   raster::RasterHints hints;
   if (found.known) {
     hints.columns = found.known->columns;

@@ -44,7 +44,7 @@ QString millivolts(double volts) { return QStringLiteral("%1 mV").arg(1e3 * volt
 
 QString percent(double share) { return QStringLiteral("%1 %").arg(100.0 * share, 0, 'g', 4); }
 
-double share(std::uint64_t part, const simulate::RunReport& run) {
+double share(std::uint64_t part, const raster::RunReport& run) {
   const double samples = static_cast<double>(run.rows) * static_cast<double>(run.columns);
   return samples > 0.0 ? static_cast<double>(part) / samples : 0.0;
 }
@@ -102,7 +102,7 @@ void RunJob::work(const core::StopFlag& stop, const BackgroundJob::Report& repor
 }
 
 QStringList summary_lines(const RunSummary& summary) {
-  const simulate::RunReport& run = summary.report;
+  const raster::RunReport& run = summary.report;
   const bool given = summary.simulation.lsb_v > 0.0;
   QStringList lines;
   lines += RunJob::tr("%1: %2 x %3 samples, %4, %5")

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "gui/common/background_job.hpp"
-#include "simulate/plan/sink.hpp"
+#include "raster/table/sink.hpp"
 #include "workflow/record/prepared_recording.hpp"
 
 namespace sarsim::gui {
@@ -35,7 +35,7 @@ struct RunEstimate {
 /// What a run came to.
 struct RunSummary {
   scene::Simulation simulation;
-  simulate::RunReport report;
+  raster::RunReport report;
   std::filesystem::path file;
   QString engine;  ///< With the reason for it.
   double bytes = 0.0;

@@ -10,6 +10,7 @@
 #include "core/maths/constants.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/separated.hpp"
 #include "radar/path/path.hpp"
 #include "scene/check/check.hpp"
 
@@ -111,10 +112,7 @@ NumberChoice read_numbers(std::string_view text, std::size_t count) {
   const auto refuse = [](std::string_view piece, const std::string& why) {
     return NumberChoice{{}, "'" + std::string(piece.substr(0, 40)) + "' " + why};
   };
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string_view piece = core::trimmed(text.substr(begin, end - begin));
-    begin = end + 1;
+  for (const std::string_view piece : core::pieces_of(text, ',')) {
     if (piece.empty()) continue;
     const std::size_t dash = piece.find('-', 1);
     const auto first = core::parse_integer(core::trimmed(piece.substr(0, dash)));

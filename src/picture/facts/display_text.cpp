@@ -3,12 +3,14 @@
 #include <array>
 #include <utility>
 
+#include "core/text/letters.hpp"
+
 namespace sarsim::picture {
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+using core::is_digit;
+using core::is_letter;
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 11> units{{{"us", "µs"},
                                                                                {"um", "µm"},

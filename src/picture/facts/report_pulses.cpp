@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/decibels.hpp"
+#include "core/text/csv.hpp"
 #include "core/text/number_text.hpp"
 #include "picture/facts/report_parts.hpp"
 #include "workflow/search/detection_table.hpp"
@@ -111,17 +112,6 @@ DetectionColumn detection_column(std::string_view name) {
   return known == detection_columns.end() ? DetectionColumn{name, name, -1} : *known;
 }
 
-std::vector<std::string> cells_of_line(const std::string& line) {
-  std::vector<std::string> cells{""};
-  for (const char c : line) {
-    if (c == ',')
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  }
-  return cells;
-}
-
 std::string shown_cell(const std::string& cell, int decimals) {
   const auto value = core::parse_number(cell);
   if (!value) return cell;
@@ -138,13 +128,13 @@ ReportTable detections_table(const workflow::PulseReport& made) {
   std::string line;
   if (!std::getline(file, line)) return table;
   std::vector<int> decimals;
-  for (const std::string& name : cells_of_line(line)) {
+  for (const std::string& name : core::csv_cells(line)) {
     const DetectionColumn column = detection_column(name);
     table.columns.emplace_back(column.title);
     decimals.push_back(column.decimals);
   }
   while (table.rows.size() < max_detections && std::getline(file, line)) {
-    std::vector<std::string>& row = table.rows.emplace_back(cells_of_line(line));
+    std::vector<std::string>& row = table.rows.emplace_back(core::csv_cells(line));
     row.resize(table.columns.size());
     for (std::size_t c = 0; c < row.size(); ++c) row[c] = shown_cell(row[c], decimals[c]);
   }

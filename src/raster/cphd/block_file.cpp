@@ -1,9 +1,11 @@
 #include "raster/cphd/block_file.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include <fmt/format.h>
+
+#include "core/text/letters.hpp"
+#include "core/text/number_text.hpp"
 
 namespace sarsim::raster {
 
@@ -15,13 +17,6 @@ constexpr std::uint64_t alignment = 64;
 
 void write_text(core::OutputFile& file, std::uint64_t offset, std::string_view text) {
   file.write_at(offset, std::as_bytes(std::span(text)));
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
 }
 
 }  // namespace
@@ -51,11 +46,7 @@ void write_block_header(core::OutputFile& file, std::string_view first_line, std
 std::optional<std::uint64_t> BlockHeader::number(const std::string& key) const {
   const auto found = values.find(key);
   if (found == values.end()) return std::nullopt;
-  std::uint64_t value = 0;
-  const std::string& text = found->second;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (failure != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  return core::parse_whole(found->second);
 }
 
 std::optional<FileBlock> BlockHeader::block(const std::string& name) const {
@@ -78,13 +69,13 @@ std::optional<BlockHeader> read_block_header(const core::InputFile& file) {
     const std::string_view line = rest.substr(0, line_end);
     rest.remove_prefix(std::min(line_end + 1, rest.size()));
     if (first) {
-      header.first_line = trimmed(line);
+      header.first_line = core::trimmed(line);
       continue;
     }
     const std::size_t sign = line.find(":=");
     if (sign == std::string_view::npos) continue;
-    const std::string key(trimmed(line.substr(0, sign)));
-    const std::string value(trimmed(line.substr(sign + 2)));
+    const std::string key(core::trimmed(line.substr(0, sign)));
+    const std::string value(core::trimmed(line.substr(sign + 2)));
     const auto [entry, is_new] = header.values.try_emplace(key, value);
     if (!is_new && entry->second != value && header.twice.empty()) header.twice = key;
   }

@@ -20,14 +20,9 @@ namespace sarsim::raster {
 
 namespace {
 
+using core::local_name;
+using core::same_content;
 using pugi::xml_node;
-
-// The name of an element without the prefix of its namespace.
-std::string_view local_name(xml_node node) {
-  const std::string_view name = node.name();
-  const std::size_t colon = name.find(':');
-  return colon == std::string_view::npos ? name : name.substr(colon + 1);
-}
 
 xml_node child_of(xml_node parent, std::string_view name) {
   for (xml_node node : parent.children())
@@ -35,30 +30,7 @@ xml_node child_of(xml_node parent, std::string_view name) {
   return {};
 }
 
-std::string_view trimmed_text(xml_node node) {
-  constexpr std::string_view blanks = " \t\r\n";
-  std::string_view text = node.child_value();
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
-
-// Whether two elements say the same, blanks aside.
-bool same_content(xml_node a, xml_node b) {
-  if (trimmed_text(a) != trimmed_text(b)) return false;
-  const auto element_after = [](xml_node node) {
-    while (node && node.type() != pugi::node_element) node = node.next_sibling();
-    return node;
-  };
-  xml_node of_a = element_after(a.first_child());
-  xml_node of_b = element_after(b.first_child());
-  while (of_a && of_b) {
-    if (local_name(of_a) != local_name(of_b) || !same_content(of_a, of_b)) return false;
-    of_a = element_after(of_a.next_sibling());
-    of_b = element_after(of_b.next_sibling());
-  }
-  return !of_a && !of_b;
-}
+std::string_view trimmed_text(xml_node node) { return core::trimmed(node.child_value()); }
 
 // Whether a text is a time such as 2024-02-29T23:59:60.5Z.
 bool is_utc(std::string_view text) {
@@ -272,8 +244,7 @@ void compare_origin(XmlReading& xml, xml_node scene, const core::Vec3& origin_m)
                      fmt::format("Earth-fixed metres, at most {:g} m below it", -radar::deepest_place_m));
   const xml_node llh = XmlReading::find(scene, "IARP/LLH");
   if (!llh) return;
-  constexpr double rad_per_degree = core::pi / 180.0;
-  const radar::Geodetic place{xml.number(llh, "Lat") * rad_per_degree, xml.number(llh, "Lon") * rad_per_degree,
+  const radar::Geodetic place{xml.number(llh, "Lat") * core::rad_per_deg, xml.number(llh, "Lon") * core::rad_per_deg,
                               xml.number(llh, "HAE")};
   if (xml.failed()) return;
   const double distance_m = core::norm(radar::ecef_of(place) - origin_m);

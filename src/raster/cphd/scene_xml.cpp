@@ -17,11 +17,9 @@ using core::append_number;
 using core::append_text;
 using pugi::xml_node;
 
-constexpr double degrees_per_rad = 180.0 / core::pi;
-
 void put_latitude(xml_node node, const radar::Geodetic& place) {
-  append_number(node, "Lat", place.latitude_rad * degrees_per_rad);
-  append_number(node, "Lon", place.longitude_rad * degrees_per_rad);
+  append_number(node, "Lat", place.latitude_rad * core::deg_per_rad);
+  append_number(node, "Lon", place.longitude_rad * core::deg_per_rad);
 }
 
 // The corners of the area, clockwise as seen from above.

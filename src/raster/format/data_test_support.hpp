@@ -29,8 +29,8 @@ inline std::string text_of(const std::vector<std::byte>& bytes) {
 }
 
 /// A product with recognisable axes.
-inline simulate::Product test_product(std::size_t rows, std::size_t columns, int bits) {
-  simulate::Product product;
+inline Product test_product(std::size_t rows, std::size_t columns, int bits) {
+  Product product;
   product.radar = "Radar1";
   product.rows = rows;
   product.columns = columns;
@@ -38,7 +38,7 @@ inline simulate::Product test_product(std::size_t rows, std::size_t columns, int
   product.row_carrier_hz = [](std::size_t row) { return 1e9 + 1e6 * static_cast<double>(row); };
   product.row_pose = [](std::size_t row) {
     const auto x = static_cast<double>(row);
-    return simulate::RowPose{{100.0 * x, -0.5, 3.0}, {100.0, 0.25, x}, {0.125, 0.0, -x}};
+    return RowPose{{100.0 * x, -0.5, 3.0}, {100.0, 0.25, x}, {0.125, 0.0, -x}};
   };
   product.column_range_m = [](std::size_t column) { return 1000.0 + 1.5 * static_cast<double>(column); };
   product.sample_rate_hz = 100e6;
@@ -68,12 +68,12 @@ inline std::vector<std::complex<double>> test_volts(std::size_t samples) {
 }
 
 /// Writes rows in blocks of changing sizes, without finishing.
-inline void append_all(simulate::Sink& sink, const simulate::Product& product, const std::vector<std::int64_t>& counts,
+inline void append_all(Sink& sink, const Product& product, const std::vector<std::int64_t>& counts,
                        const std::vector<std::complex<double>>& volts) {
   std::size_t size = 1;
   for (std::size_t first = 0; first < product.rows; first += size, size = size % 3 + 1) {
     size = std::min(size, product.rows - first);
-    simulate::Block block;
+    Block block;
     block.first_row = first;
     block.rows = size;
     block.columns = product.columns;
@@ -86,11 +86,11 @@ inline void append_all(simulate::Sink& sink, const simulate::Product& product, c
 }
 
 /// Writes a whole file of `test_counts` and `test_volts`.
-inline void write_test_file(const fs::path& path, const simulate::Product& product, const SinkOptions& options) {
+inline void write_test_file(const fs::path& path, const Product& product, const SinkOptions& options) {
   const std::size_t samples = product.rows * product.columns;
   const auto sink = make_sink(path, product, options);
   append_all(*sink, product, test_counts(samples, product.bits), test_volts(samples));
-  simulate::RunReport report;
+  RunReport report;
   report.lsb_v = 2.5e-9;
   sink->finish(report);
 }

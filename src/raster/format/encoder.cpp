@@ -63,13 +63,13 @@ class TextWriter {
 };
 
 // Longest pair in each text format: two numbers with sign and what stands around them, and the row's end.
-TextWriter writer_for(const simulate::Block& block, CountRange range) {
+TextWriter writer_for(const Block& block, CountRange range) {
   const std::size_t number = 1 + digits_of(range.highest_stored());
   return {block.rows * block.columns * (2 * number + 4) + block.rows, range};
 }
 
 // Where the volts are given, a small negative component keeps its sign.
-std::vector<std::byte> encode_lines(const simulate::Block& block, CountRange range, const std::complex<double>* volts) {
+std::vector<std::byte> encode_lines(const Block& block, CountRange range, const std::complex<double>* volts) {
   TextWriter writer = writer_for(block, range);
   const std::int64_t* count = block.counts.data();
   for (std::size_t row = 0; row < block.rows; ++row) {
@@ -87,7 +87,7 @@ std::vector<std::byte> encode_lines(const simulate::Block& block, CountRange ran
   return writer.take();
 }
 
-std::vector<std::byte> encode_pairs(const simulate::Block& block, CountRange range, const std::complex<double>* volts) {
+std::vector<std::byte> encode_pairs(const Block& block, CountRange range, const std::complex<double>* volts) {
   TextWriter writer = writer_for(block, range);
   const std::int64_t* count = block.counts.data();
   for (std::size_t row = 0; row < block.rows; ++row) {
@@ -107,7 +107,7 @@ std::vector<std::byte> encode_pairs(const simulate::Block& block, CountRange ran
   return writer.take();
 }
 
-std::vector<std::byte> encode_table(const simulate::Block& block, CountRange range) {
+std::vector<std::byte> encode_table(const Block& block, CountRange range) {
   TextWriter writer = writer_for(block, range);
   const std::int64_t* count = block.counts.data();
   for (std::size_t row = 0; row < block.rows; ++row) {
@@ -176,12 +176,10 @@ void require_size(std::size_t found, std::size_t expected, const char* what) {
     throw std::invalid_argument(fmt::format("a block holds {} {} instead of {}", found, what, expected));
 }
 
-void require_counts(const simulate::Block& block) {
-  require_size(block.counts.size(), 2 * block.rows * block.columns, "counts");
-}
+void require_counts(const Block& block) { require_size(block.counts.size(), 2 * block.rows * block.columns, "counts"); }
 
 // The volts whose signs the zeros among the counts keep, where they are wanted and there.
-const std::complex<double>* signed_zeros_of(const Encoding& encoding, const simulate::Block& block) {
+const std::complex<double>* signed_zeros_of(const Encoding& encoding, const Block& block) {
   return encoding.minus_zero && block.volts.size() == block.rows * block.columns ? block.volts.data() : nullptr;
 }
 
@@ -193,27 +191,27 @@ std::size_t array_component_bytes(const Encoding& encoding) {
   return (encoding.counts ? encoding.bits > 31 : encoding.doubles) ? 8 : 4;
 }
 
-std::vector<std::byte> encode_ascii(const Encoding& encoding, const simulate::Block& block) {
+std::vector<std::byte> encode_ascii(const Encoding& encoding, const Block& block) {
   require_counts(block);
   return encode_lines(block, CountRange{encoding.bits}, signed_zeros_of(encoding, block));
 }
 
-std::vector<std::byte> encode_bracket(const Encoding& encoding, const simulate::Block& block) {
+std::vector<std::byte> encode_bracket(const Encoding& encoding, const Block& block) {
   require_counts(block);
   return encode_pairs(block, CountRange{encoding.bits}, signed_zeros_of(encoding, block));
 }
 
-std::vector<std::byte> encode_csv(const Encoding& encoding, const simulate::Block& block) {
+std::vector<std::byte> encode_csv(const Encoding& encoding, const Block& block) {
   require_counts(block);
   return encode_table(block, CountRange{encoding.bits});
 }
 
-std::vector<std::byte> encode_binary(const Encoding& encoding, const simulate::Block& block) {
+std::vector<std::byte> encode_binary(const Encoding& encoding, const Block& block) {
   require_counts(block);
   return encode_bytes(block.counts, CountRange{encoding.bits});
 }
 
-std::vector<std::byte> encode_array(const Encoding& encoding, const simulate::Block& block) {
+std::vector<std::byte> encode_array(const Encoding& encoding, const Block& block) {
   if (!encoding.counts) {
     require_size(block.volts.size(), block.rows * block.columns, "samples");
     return encoding.doubles ? encode_volts<double>(block.volts) : encode_volts<float>(block.volts);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "simulate/plan/sink.hpp"
+#include "raster/table/sink.hpp"
 
 namespace sarsim::raster {
 
@@ -26,15 +26,15 @@ struct Encoding {
 
 /// The bytes of a block in each format; `encode_rows` chooses. HDF5 and NPY store the same array. The rules are those
 /// of `encode_rows`.
-[[nodiscard]] std::vector<std::byte> encode_ascii(const Encoding& encoding, const simulate::Block& block);
+[[nodiscard]] std::vector<std::byte> encode_ascii(const Encoding& encoding, const Block& block);
 /// See `encode_ascii`.
-[[nodiscard]] std::vector<std::byte> encode_bracket(const Encoding& encoding, const simulate::Block& block);
+[[nodiscard]] std::vector<std::byte> encode_bracket(const Encoding& encoding, const Block& block);
 /// See `encode_ascii`.
-[[nodiscard]] std::vector<std::byte> encode_csv(const Encoding& encoding, const simulate::Block& block);
+[[nodiscard]] std::vector<std::byte> encode_csv(const Encoding& encoding, const Block& block);
 /// See `encode_ascii`.
-[[nodiscard]] std::vector<std::byte> encode_binary(const Encoding& encoding, const simulate::Block& block);
+[[nodiscard]] std::vector<std::byte> encode_binary(const Encoding& encoding, const Block& block);
 /// See `encode_ascii`.
-[[nodiscard]] std::vector<std::byte> encode_array(const Encoding& encoding, const simulate::Block& block);
+[[nodiscard]] std::vector<std::byte> encode_array(const Encoding& encoding, const Block& block);
 
 /// The header line of a CSV file, "I0,Q0,I1,Q1,..." with a line feed.
 [[nodiscard]] std::string csv_header(std::size_t columns);

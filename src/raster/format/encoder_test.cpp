@@ -19,7 +19,7 @@ namespace encoder_test {
 using data_test::text_of;
 
 std::string encoded(scene::FileFormat format, int bits, std::vector<std::int64_t> counts, std::size_t rows = 1) {
-  simulate::Block block;
+  Block block;
   block.rows = rows;
   block.columns = counts.size() / 2 / rows;
   block.counts = counts;
@@ -73,7 +73,7 @@ TEST(Encoder, AsciiIsAPairPerLineAndABlankLinePerPulse) {
 TEST(Encoder, SmallNegativeValuesKeepTheirSignOnlyInTheClassicProfile) {
   const std::array<std::complex<double>, 2> volts{{{-0.3, 0.0}, {0.3, -0.2}}};
   const std::array<std::int64_t, 4> counts{0, 0, 0, 0};
-  simulate::Block block;
+  Block block;
   block.rows = 1;
   block.columns = 2;
   block.volts = volts;
@@ -116,7 +116,7 @@ TEST(Encoder, ExtremesOfEveryNumberOfBitsFitIntoTheBuffer) {
 
 TEST(Encoder, VoltsBecomeFloats) {
   const std::array<std::complex<double>, 1> volts{{{1.0, -2.0}}};
-  simulate::Block block;
+  Block block;
   block.rows = 1;
   block.columns = 1;
   block.volts = volts;
@@ -140,7 +140,7 @@ TEST(Encoder, RefusesCountsThatTheConverterCannotGive) {
 
 TEST(Encoder, RefusesBlocksOfTheWrongSize) {
   const std::array<std::int64_t, 2> counts{};
-  simulate::Block block;
+  Block block;
   block.rows = 1;
   block.columns = 2;
   block.counts = counts;

@@ -15,6 +15,7 @@
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "core/text/quoted_word.hpp"
+#include "core/text/separated.hpp"
 #include "raster/format/npy_header.hpp"
 #include "raster/table/file_problem.hpp"
 #include "raster/table/formats.hpp"
@@ -121,19 +122,6 @@ class NumberTaker {
   core::Problems& problems_;
 };
 
-// Numbers of a value; nothing where one is none.
-std::optional<std::vector<double>> numbers_in(std::string_view text) {
-  std::vector<double> numbers;
-  while (!core::trimmed(text).empty()) {
-    const std::size_t comma = std::min(text.find(','), text.size());
-    const auto number = core::parse_number(core::trimmed(text.substr(0, comma)));
-    if (!number) return std::nullopt;
-    numbers.push_back(*number);
-    text.remove_prefix(std::min(comma + 1, text.size()));
-  }
-  return numbers;
-}
-
 // A field that changes what pixels mean or where they are, unless all of its numbers are the one that does nothing.
 struct ChangingField {
   std::string_view name;
@@ -171,7 +159,7 @@ void refuse_changes(const Fields& fields, const std::string& file, core::Problem
   for (const ChangingField& changing : changing_fields)
     for (const auto& [name, value] : fields) {
       if (name != changing.name) continue;
-      const auto numbers = numbers_in(value);
+      const auto numbers = core::numbers_of_list(value);
       const bool nothing = core::equal_ignoring_case(value, "nan") ||
                            (numbers && std::ranges::all_of(*numbers, [&](double n) { return n == changing.neutral; }));
       if (nothing) continue;

@@ -61,9 +61,9 @@ std::function<Value(std::size_t)> picked(std::vector<Value> axis, std::size_t fi
   };
 }
 
-simulate::Product product_of(const Raster& source, const ImageWindow& window, const ImageExport& options) {
+Product product_of(const Raster& source, const ImageWindow& window, const ImageExport& options) {
   const RasterInfo& info = source.info();
-  simulate::Product product;
+  Product product;
   product.rows = window.rows;
   product.columns = window.cols;
   if (auto axes = source.axes()) {
@@ -78,7 +78,7 @@ simulate::Product product_of(const Raster& source, const ImageWindow& window, co
     constexpr std::array nowhere{unknown, unknown, unknown};
     if (!axes->row_pose.empty())
       product.row_pose =
-          picked(std::move(axes->row_pose), window.row0, window.row_step, simulate::RowPose{nowhere, nowhere, nowhere});
+          picked(std::move(axes->row_pose), window.row0, window.row_step, RowPose{nowhere, nowhere, nowhere});
   }
   product.sample_rate_hz = info.sample_rate_hz.value_or(0.0) / static_cast<double>(window.col_step);
   product.bits = options.bits > 0 ? options.bits : info.bits > 0 ? info.bits : 16;
@@ -108,12 +108,12 @@ void expect_single_precision(std::span<const std::complex<double>> volts, std::s
                         "scale the samples, or give a smaller LSB where they are counts")});
 }
 
-simulate::RunReport export_window(const Raster& source, const ImageWindow& window, const std::filesystem::path& path,
-                                  const ImageExport& options, const core::WorkControl& control,
-                                  const core::ProgressReport& progress) {
+RunReport export_window(const Raster& source, const ImageWindow& window, const std::filesystem::path& path,
+                        const ImageExport& options, const core::WorkControl& control,
+                        const core::ProgressReport& progress) {
   if (window.samples() == 0) throw std::out_of_range("an empty selection cannot be stored");
   const auto begin = std::chrono::steady_clock::now();
-  simulate::Product product = product_of(source, window, options);
+  Product product = product_of(source, window, options);
   const bool from_counts = source.info().counts;
   const bool lsb_is_known = options.lsb_v > 0.0 || source.info().lsb_v || from_counts;
   if (!lsb_is_known && !holds_counts(options.sink.format, options.sink.counts)) product.unknown.emplace_back("lsb_v");
@@ -127,7 +127,7 @@ simulate::RunReport export_window(const Raster& source, const ImageWindow& windo
   const double factor = sink->wants_counts() ? 1.0 : volts_of_value;
   const bool single = !sink->wants_counts() && !options.sink.doubles;
   RasterWriter writer(std::move(sink), window.cols, {product.bits, from_counts ? 1.0 : lsb_v});
-  simulate::RunReport report;
+  RunReport report;
   report.rows = window.rows;
   report.columns = window.cols;
   std::vector<std::complex<double>> values;

@@ -39,8 +39,8 @@ void expect_single_precision(std::span<const std::complex<double>> volts, std::s
 /// The file appears when it is complete. Returns what `RunReport` says of it. Throws what reading and the sink throw,
 /// std::out_of_range for a window that is not inside or empty, core::InvalidRequest for volts that single precision
 /// does not hold where the options do not say `doubles`, Interrupted.
-simulate::RunReport export_window(const Raster& source, const ImageWindow& window, const std::filesystem::path& path,
-                                  const ImageExport& options, const core::WorkControl& control = {},
-                                  const core::ProgressReport& progress = {});
+RunReport export_window(const Raster& source, const ImageWindow& window, const std::filesystem::path& path,
+                        const ImageExport& options, const core::WorkControl& control = {},
+                        const core::ProgressReport& progress = {});
 
 }  // namespace sarsim::raster

@@ -60,7 +60,7 @@ TEST_P(ExportTo, KeepsTheCountsOfASelection) {
   ImageExport options;
   options.sink.format = GetParam();
   options.sink.counts = true;
-  const simulate::RunReport report = export_window(*source, part, folder / "out", options);
+  const RunReport report = export_window(*source, part, folder / "out", options);
   EXPECT_EQ(report.rows, 5U);
   EXPECT_EQ(report.saturated, 0U);
   RasterHints hints = shape(4, 12);
@@ -134,7 +134,7 @@ TEST(ExportWindow, KeepsVoltsAndTheAxesOfWhatIsTaken) {
 
 TEST(ExportWindow, KeepsWhatTheSourceSaysOfItsOrigin) {
   const TestFolder folder;
-  simulate::Product product = data_test::test_product(20, 9, 12);
+  Product product = data_test::test_product(20, 9, 12);
   product.radar = "Another";
   product.processing = scene::Processing::matched_filter;
   product.options = {scene::Profile::classic, 18446744073709551615U, scene::PulseDefinition::band_limited, 1e-3};
@@ -144,7 +144,7 @@ TEST(ExportWindow, KeepsWhatTheSourceSaysOfItsOrigin) {
   ImageExport options;
   options.sink.format = scene::FileFormat::hdf5;
   export_window(*source, part, folder / "b.h5", options);
-  simulate::Product back;
+  Product back;
   take_origin(open_whole(folder / "b.h5")->info().attributes, back);
   EXPECT_EQ(back.radar, product.radar);
   EXPECT_EQ(back.processing, product.processing);
@@ -165,7 +165,7 @@ TEST(ExportWindow, SaysNothingThatTheSourceDoesNotSay) {
   EXPECT_FALSE(stored->info().lsb_v);
   EXPECT_FALSE(stored->info().sample_rate_hz);
   EXPECT_EQ(stored->info().bits, 0);
-  simulate::Product back;
+  Product back;
   take_origin(stored->info().attributes, back);
   EXPECT_EQ(back.unknown, (std::vector<std::string>{"radar", "processing", "profile", "pulse", "cubic_ends",
                                                     "ambiguous_echoes", "eclipsing", "seed", "tolerance"}));
@@ -179,13 +179,13 @@ TEST(ExportWindow, TurnsVoltsIntoCountsThatUseTheWholeRange) {
   ImageExport options;
   options.sink.format = scene::FileFormat::ascii;
   options.bits = 8;
-  const simulate::RunReport report = export_window(*source, {0, 2, 0, 2}, folder / "a.asc", options);
+  const RunReport report = export_window(*source, {0, 2, 0, 2}, folder / "a.asc", options);
   EXPECT_DOUBLE_EQ(report.lsb_v, 2.0 / 127.0);
   EXPECT_DOUBLE_EQ(report.range_used, 1.0);
   EXPECT_EQ(data_test::contents(folder / "a.asc"), "32 0\n-127 0\n\n0 64\n1 0\n\n");
   options.lsb_v = 0.01;
   options.sink.replace = true;
-  const simulate::RunReport clipped = export_window(*source, {0, 2, 0, 2}, folder / "a.asc", options);
+  const RunReport clipped = export_window(*source, {0, 2, 0, 2}, folder / "a.asc", options);
   EXPECT_EQ(clipped.saturated, 1U);
   EXPECT_EQ(clipped.not_numbers, 1U);
   EXPECT_EQ(data_test::contents(folder / "a.asc"), "50 0\n-127 0\n\n0 100\n1 0\n\n");

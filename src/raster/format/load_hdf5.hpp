@@ -12,8 +12,8 @@
 #include "raster/format/open_raster.hpp"
 #include "raster/table/product_attributes.hpp"
 #include "raster/table/row_places.hpp"
+#include "raster/table/sink.hpp"
 #include "raster/table/stored_array.hpp"
-#include "simulate/plan/sink.hpp"
 
 namespace sarsim::raster {
 
@@ -26,15 +26,14 @@ struct Hdf5Module {
   OpenedRaster (*open)(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints,
                        const core::StopFlag* stop);
   /// Begins a file, see Hdf5Sink. The words are those of `scene::option_words`, which the module has not.
-  std::unique_ptr<simulate::Sink> (*make_sink)(const std::filesystem::path& path, const simulate::Product& product,
-                                               const FileAttributes& option_words, const Encoding& encoding,
-                                               bool replace);
+  std::unique_ptr<Sink> (*make_sink)(const std::filesystem::path& path, const Product& product,
+                                     const FileAttributes& option_words, const Encoding& encoding, bool replace);
   /// Where the samples of such a file stand. `scratch` names a file that is begun and thrown away.
-  RowPlaces (*row_places)(const std::filesystem::path& scratch, const simulate::Product& product,
+  RowPlaces (*row_places)(const std::filesystem::path& scratch, const Product& product,
                           const FileAttributes& option_words, const Encoding& encoding);
   /// Makes a whole file but for its samples, which are left as a hole.
-  void (*write_frame)(const std::filesystem::path& path, const simulate::Product& product,
-                      const FileAttributes& option_words, const Encoding& encoding, const simulate::RunReport& report);
+  void (*write_frame)(const std::filesystem::path& path, const Product& product, const FileAttributes& option_words,
+                      const Encoding& encoding, const RunReport& report);
   /// Where its arrays stand, see hdf5_arrays.
   StoredArrays (*arrays)(const std::filesystem::path& path, std::uint64_t file_bytes, const std::string& dataset);
   /// Reads a table of points, see read_hdf5_points.

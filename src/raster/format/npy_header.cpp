@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/report/expect.hpp"
+#include "core/text/number_text.hpp"
 #include "core/text/quoted_word.hpp"
 
 namespace sarsim::raster {
@@ -89,10 +90,9 @@ std::optional<std::size_t> bytes_of_type(std::string_view type) {
   constexpr std::size_t most = std::size_t{1} << 20U;
   const std::size_t digits = type.find_first_of("0123456789");
   if (digits == std::string_view::npos || digits == 0) return std::nullopt;
-  std::size_t bytes = 0;
-  const auto [end, error] = std::from_chars(type.data() + digits, type.data() + type.size(), bytes);
-  if (error != std::errc{} || end != type.data() + type.size() || bytes == 0 || bytes > most) return std::nullopt;
-  return type[digits - 1] == 'U' ? 4 * bytes : bytes;
+  const auto bytes = core::parse_whole(type.substr(digits));
+  if (!bytes || *bytes == 0 || *bytes > most) return std::nullopt;
+  return static_cast<std::size_t>(type[digits - 1] == 'U' ? 4 * *bytes : *bytes);
 }
 
 // A list of fields behind its bracket: ('x', '<f8') or ('x', '<f8', (3,)). Structures within are not read.

@@ -32,7 +32,7 @@ std::size_t sigmf_component_bytes(const Encoding& encoding) {
   return encoding.counts && encoding.bits <= max_short_bits ? 2 : array_component_bytes(encoding);
 }
 
-std::vector<std::byte> encode_sigmf(const Encoding& encoding, const simulate::Block& block) {
+std::vector<std::byte> encode_sigmf(const Encoding& encoding, const Block& block) {
   std::vector<std::byte> bytes = encode_array(encoding, block);
   if (sigmf_component_bytes(encoding) == array_component_bytes(encoding)) return bytes;
   // The lower halves of integers of 32 bits, least significant byte first.
@@ -69,7 +69,7 @@ std::optional<radar::Instant> epoch_in(const std::string& script) {
 // The metadata of a recording.
 class MetaText {
  public:
-  MetaText(const simulate::Product& product, const Encoding& encoding, const simulate::RunReport& report)
+  MetaText(const Product& product, const Encoding& encoding, const RunReport& report)
       : product_(product),
         encoding_(encoding),
         described_(describe(product, scene::option_words(product.options), encoding.counts)),
@@ -128,7 +128,7 @@ class MetaText {
     json_.member("sarsim:pulse_time_s", time_s);
   }
 
-  const simulate::Product& product_;
+  const Product& product_;
   const Encoding& encoding_;
   DescribedProduct described_;
   std::optional<radar::Instant> epoch_;
@@ -136,9 +136,9 @@ class MetaText {
 };
 
 // Two files, which get their names when both are on the disk.
-class SigmfSink final : public simulate::Sink {
+class SigmfSink final : public Sink {
  public:
-  SigmfSink(const fs::path& path, const simulate::Product& product, const Encoding& encoding, bool replace)
+  SigmfSink(const fs::path& path, const Product& product, const Encoding& encoding, bool replace)
       : product_(product),
         encoding_(encoding),
         meta_(sigmf_files(path).front(), replace),
@@ -146,7 +146,7 @@ class SigmfSink final : public simulate::Sink {
         order_(product.rows) {}
 
   [[nodiscard]] bool wants_counts() const override { return encoding_.counts; }
-  [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& block) const override {
+  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
     return encode_sigmf(encoding_, block);
   }
   void append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) override {
@@ -154,7 +154,7 @@ class SigmfSink final : public simulate::Sink {
     data_.write(bytes);
     order_.take(rows);
   }
-  void finish(const simulate::RunReport& report) override {
+  void finish(const RunReport& report) override {
     order_.expect_all();
     const std::string text = MetaText(product_, encoding_, report).text();
     meta_.write(std::as_bytes(std::span(text)));
@@ -164,7 +164,7 @@ class SigmfSink final : public simulate::Sink {
   }
 
  private:
-  simulate::Product product_;
+  Product product_;
   Encoding encoding_;
   core::OutputFile meta_;
   core::OutputFile data_;
@@ -172,7 +172,7 @@ class SigmfSink final : public simulate::Sink {
 };
 
 // About: the samples, and a line or six for each of captures and ranges.
-double sigmf_bytes(const simulate::Product& product, const Encoding& encoding, bool) {
+double sigmf_bytes(const Product& product, const Encoding& encoding, bool) {
   constexpr double text = 1500.0;
   constexpr double capture = 114.0;
   constexpr double range = 26.0;
@@ -182,8 +182,7 @@ double sigmf_bytes(const simulate::Product& product, const Encoding& encoding, b
          range * columns + static_cast<double>(product.script.size());
 }
 
-std::unique_ptr<simulate::Sink> sigmf_sink(const fs::path& path, const simulate::Product& product,
-                                           const Encoding& encoding, bool replace) {
+std::unique_ptr<Sink> sigmf_sink(const fs::path& path, const Product& product, const Encoding& encoding, bool replace) {
   expect_possible(path, encoding);
   return std::make_unique<SigmfSink>(path, product, encoding, replace);
 }

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <fmt/format.h>
+
 #include "core/report/invalid_request.hpp"
 #include "raster/format/data_test_support.hpp"
 #include "raster/format/sigmf.hpp"
@@ -33,7 +35,7 @@ std::string problems_of(const TestFolder& folder, std::string_view meta, std::si
 
 TEST(Sigmf, SaysPulseTimesCarriersAndUtc) {
   const TestFolder folder;
-  simulate::Product product = test_product(3, 2, 8);
+  Product product = test_product(3, 2, 8);
   product.script =
       "format = \"sarsim 2\"\n[world]\nframe = \"earth\"\nanchor = { latitude = \"52 deg\", longitude = "
       "\"13 deg\" }\nepoch = \"2024-04-01T22:59:42Z\"\n";

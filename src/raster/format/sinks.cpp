@@ -16,7 +16,7 @@ namespace sarsim::raster {
 
 namespace {
 
-Encoding encoding_of(const simulate::Product& product, const SinkOptions& options) {
+Encoding encoding_of(const Product& product, const SinkOptions& options) {
   if (product.bits < 1 || product.bits > 64)
     throw std::invalid_argument(fmt::format("{} A/D bits are outside 1 to 64", product.bits));
   return {options.format, holds_counts(options.format, options.counts), product.bits,
@@ -26,22 +26,22 @@ Encoding encoding_of(const simulate::Product& product, const SinkOptions& option
 const FormatWriter& writer_of(const Encoding& encoding) { return *format_of(encoding.format).writer; }
 
 // What stands before the first row.
-std::string preamble(const simulate::Product& product, const Encoding& encoding, bool header) {
+std::string preamble(const Product& product, const Encoding& encoding, bool header) {
   const auto make = writer_of(encoding).preamble;
   return make == nullptr ? std::string() : make(product, encoding, header);
 }
 
 // The formats whose files are their rows one after the other.
-class StreamSink final : public simulate::Sink {
+class StreamSink final : public Sink {
  public:
-  StreamSink(const std::filesystem::path& path, const simulate::Product& product, const SinkOptions& options)
+  StreamSink(const std::filesystem::path& path, const Product& product, const SinkOptions& options)
       : encoding_(encoding_of(product, options)), file_(path, options.replace), order_(product.rows) {
     const std::string begin = preamble(product, encoding_, options.header);
     file_.write(std::as_bytes(std::span(begin)));
   }
 
   [[nodiscard]] bool wants_counts() const override { return encoding_.counts; }
-  [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& block) const override {
+  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
     return encode_rows(encoding_, block);
   }
   void append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) override {
@@ -49,7 +49,7 @@ class StreamSink final : public simulate::Sink {
     file_.write(bytes);
     order_.take(rows);
   }
-  void finish(const simulate::RunReport&) override {
+  void finish(const RunReport&) override {
     order_.expect_all();
     file_.commit();
   }
@@ -60,20 +60,20 @@ class StreamSink final : public simulate::Sink {
   RowOrder order_;
 };
 
-class DiscardingSink final : public simulate::Sink {
+class DiscardingSink final : public Sink {
  public:
-  DiscardingSink(const simulate::Product& product, const SinkOptions& options)
+  DiscardingSink(const Product& product, const SinkOptions& options)
       : encoding_(encoding_of(product, options)), order_(product.rows) {}
 
   [[nodiscard]] bool wants_counts() const override { return encoding_.counts; }
-  [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& block) const override {
+  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
     return encode_rows(encoding_, block);
   }
   void append(std::span<const std::byte>, std::size_t first_row, std::size_t rows) override {
     order_.expect(first_row, rows);
     order_.take(rows);
   }
-  void finish(const simulate::RunReport&) override { order_.expect_all(); }
+  void finish(const RunReport&) override { order_.expect_all(); }
 
  private:
   Encoding encoding_;
@@ -96,24 +96,23 @@ std::uint64_t bytes_under(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::unique_ptr<simulate::Sink> make_sink(const std::filesystem::path& path, const simulate::Product& product,
-                                          const SinkOptions& options) {
+std::unique_ptr<Sink> make_sink(const std::filesystem::path& path, const Product& product, const SinkOptions& options) {
   const Encoding encoding = encoding_of(product, options);
   const auto make = writer_of(encoding).make_sink;
   if (make != nullptr) return make(path, product, encoding, options.replace);
   return std::make_unique<StreamSink>(path, product, options);
 }
 
-double expected_bytes(const simulate::Product& product, const SinkOptions& options) {
+double expected_bytes(const Product& product, const SinkOptions& options) {
   const Encoding encoding = encoding_of(product, options);
   return writer_of(encoding).expected_bytes(product, encoding, options.header);
 }
 
-std::unique_ptr<simulate::Sink> make_discarding_sink(const simulate::Product& product, const SinkOptions& options) {
+std::unique_ptr<Sink> make_discarding_sink(const Product& product, const SinkOptions& options) {
   return std::make_unique<DiscardingSink>(product, options);
 }
 
-std::optional<RowPlaces> row_places(const std::filesystem::path& scratch, const simulate::Product& product,
+std::optional<RowPlaces> row_places(const std::filesystem::path& scratch, const Product& product,
                                     const SinkOptions& options) {
   const Encoding encoding = encoding_of(product, options);
   const auto find = writer_of(encoding).row_places;
@@ -123,12 +122,12 @@ std::optional<RowPlaces> row_places(const std::filesystem::path& scratch, const 
   return RowPlaces{preamble(product, encoding, options.header).size(), 2 * product.columns * component};
 }
 
-std::size_t piece_rows(const simulate::Product& product, const SinkOptions& options) {
+std::size_t piece_rows(const Product& product, const SinkOptions& options) {
   return format_of(options.format).folder ? row_places({}, product, options).value().piece_rows() : 1;
 }
 
-void write_frame(core::RawFile& file, const std::filesystem::path& scratch, const simulate::Product& product,
-                 const SinkOptions& options, const simulate::RunReport& report) {
+void write_frame(core::RawFile& file, const std::filesystem::path& scratch, const Product& product,
+                 const SinkOptions& options, const RunReport& report) {
   const Encoding encoding = encoding_of(product, options);
   const auto write = writer_of(encoding).write_frame;
   if (write != nullptr) return write(file, scratch, product, encoding, report);
@@ -137,8 +136,8 @@ void write_frame(core::RawFile& file, const std::filesystem::path& scratch, cons
   file.resize(row_places(scratch, product, options).value().of(product.rows));
 }
 
-void complete_folder(const std::filesystem::path& folder, const simulate::Product& product, const SinkOptions& options,
-                     const simulate::RunReport& report) {
+void complete_folder(const std::filesystem::path& folder, const Product& product, const SinkOptions& options,
+                     const RunReport& report) {
   const Encoding encoding = encoding_of(product, options);
   writer_of(encoding).complete_folder(folder, product, encoding, report);
 }

@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Sinks, EveryFormat, testing::ValuesIn(all_cases()), nam
 
 TEST_P(EveryFormat, ReadsBackTheSameNumbers) {
   const TestFolder folder;
-  const simulate::Product product = test_product(11, 7, GetParam().bits);
+  const Product product = test_product(11, 7, GetParam().bits);
   write_test_file(file(folder), product, options());
   EXPECT_EQ(folder.entries(), files(folder).size());
   RasterHints hints;
@@ -109,7 +109,7 @@ TEST(Sinks, DoublesKeepWhatFloatsLose) {
     SinkOptions options;
     options.format = format;
     options.doubles = true;
-    const simulate::Product product = test_product(1, 1, 8);
+    const Product product = test_product(1, 1, 8);
     auto sink = make_sink(path, product, options);
     sink->append(sink->encode({0, 1, 1, third, {}}), 0, 1);
     sink->finish({});
@@ -121,16 +121,16 @@ TEST(Sinks, DoublesKeepWhatFloatsLose) {
 
 TEST_P(EveryFormat, SameInputGivesTheSameBytesWhateverTheBlocks) {
   const TestFolder folder;
-  const simulate::Product product = test_product(11, 7, GetParam().bits);
+  const Product product = test_product(11, 7, GetParam().bits);
   write_test_file(file(folder), product, options());
   const auto sink = make_sink(file(folder, "b"), product, options());
   const auto counts = test_counts(77, product.bits);
   const auto volts = test_volts(77);
-  simulate::Block block{0, 11, 7, {}, {}};
+  Block block{0, 11, 7, {}, {}};
   if (sink->wants_counts()) block.counts = counts;
   if (!sink->wants_counts()) block.volts = volts;
   sink->append(sink->encode(block), 0, 11);
-  simulate::RunReport report;
+  RunReport report;
   report.lsb_v = 2.5e-9;
   sink->finish(report);
   for (std::size_t i = 0; i < files(folder).size(); ++i)
@@ -140,7 +140,7 @@ TEST_P(EveryFormat, SameInputGivesTheSameBytesWhateverTheBlocks) {
 // As a second signal has it; in a process of its own, which has to end then.
 TEST_P(EveryFormat, NothingIsLeftByAProcessThatEndsAtOnce) {
   const TestFolder folder;
-  const simulate::Product product = test_product(11, 7, GetParam().bits);
+  const Product product = test_product(11, 7, GetParam().bits);
   const auto end_at_once = [&] {
     const auto sink = make_sink(file(folder), product, options());
     const bool begun = folder.entries() == files(folder).size();
@@ -153,7 +153,7 @@ TEST_P(EveryFormat, NothingIsLeftByAProcessThatEndsAtOnce) {
 
 TEST_P(EveryFormat, NothingStandsUnderTheNameWithoutFinish) {
   const TestFolder folder;
-  const simulate::Product product = test_product(11, 7, GetParam().bits);
+  const Product product = test_product(11, 7, GetParam().bits);
   {
     const auto sink = make_sink(file(folder), product, options());
     append_all(*sink, product, test_counts(77, product.bits), test_volts(77));
@@ -164,7 +164,7 @@ TEST_P(EveryFormat, NothingStandsUnderTheNameWithoutFinish) {
 
 TEST_P(EveryFormat, SizeIsAsExpected) {
   const TestFolder folder;
-  const simulate::Product product = test_product(200, 20, GetParam().bits);
+  const Product product = test_product(200, 20, GetParam().bits);
   write_test_file(file(folder), product, options());
   const auto size = static_cast<double>(stored_bytes(file(folder)));
   const bool exact = GetParam().format == scene::FileFormat::binary || GetParam().format == scene::FileFormat::npy;
@@ -189,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(Sinks, EveryDisk,
                          [](const auto& test) { return std::string(name_of(test.param)); });
 
 // Writes until an error; returns its number, 0 where everything fitted.
-int error_of_writing(const fs::path& path, const simulate::Product& product, SinkOptions options, std::string& what) {
+int error_of_writing(const fs::path& path, const Product& product, SinkOptions options, std::string& what) {
   try {
     write_test_file(path, product, options);
   } catch (const std::system_error& error) {
@@ -211,7 +211,7 @@ TEST_P(EveryDisk, RefusesAnExistingFile) {
 
 TEST_P(EveryDisk, RefusesAFileThatAppearsMeanwhile) {
   const TestFolder folder;
-  const simulate::Product product = test_product(2, 2, 8);
+  const Product product = test_product(2, 2, 8);
   const auto sink = make_sink(folder / "a", product, {GetParam()});
   append_all(*sink, product, test_counts(4, 8), test_volts(4));
   put(folder / "a", "theirs");
@@ -236,7 +236,7 @@ INSTANTIATE_TEST_SUITE_P(Sinks, EveryStore,
 
 TEST_P(EveryStore, AFullDiskIsOneCleanErrorAtWhateverByteItFills) {
   const TestFolder folder;
-  const simulate::Product product = test_product(400, 50, 8);
+  const Product product = test_product(400, 50, 8);
   for (const char* size : {"size=4k", "size=8k", "size=16k", "size=64k"}) {
     const SmallDisk disk(folder / "disk", size);
     if (!disk.mounted()) GTEST_SKIP() << "may not mount a file system here";
@@ -255,7 +255,7 @@ TEST_P(EveryStore, AFullDiskIsOneCleanErrorAtWhateverByteItFills) {
 
 TEST_P(EveryStore, RowsMustComeInOrderAndCompletely) {
   const TestFolder folder;
-  const simulate::Product product = test_product(3, 2, 8);
+  const Product product = test_product(3, 2, 8);
   const auto counts = test_counts(6, 8);
   const auto volts = test_volts(6);
   for (const bool discard : {false, true}) {
@@ -297,7 +297,7 @@ TEST(Sinks, Hdf5CannotGoThroughAPipe) {
 
 TEST(Sinks, CsvHasAHeaderOnlyWhenAsked) {
   const TestFolder folder;
-  const simulate::Product product = test_product(1, 2, 8);
+  const Product product = test_product(1, 2, 8);
   SinkOptions options{scene::FileFormat::csv};
   write_test_file(folder / "a", product, options);
   EXPECT_EQ(contents(folder / "a"), "0,255,127,126\n");
@@ -314,7 +314,7 @@ INSTANTIATE_TEST_SUITE_P(Sinks, DescribedFile,
 
 TEST_P(DescribedFile, CarriesEverythingThatIsKnown) {
   const TestFolder folder;
-  simulate::Product product = test_product(20000, 2, 12);
+  Product product = test_product(20000, 2, 12);
   product.processing = scene::Processing::matched_filter;
   product.options.profile = scene::Profile::classic;
   product.script = std::string(100000, 'x') + "\xC3\xA9";
@@ -351,10 +351,10 @@ TEST_P(DescribedFile, CarriesEverythingThatIsKnown) {
 }
 
 TEST(Sinks, ManyMayEncodeAtOnce) {
-  const simulate::Product product = test_product(64, 1000, 16);
+  const Product product = test_product(64, 1000, 16);
   const auto sink = make_discarding_sink(product, {scene::FileFormat::ascii});
   const auto counts = test_counts(64000, 16);
-  const simulate::Block block{0, 64, 1000, {}, counts};
+  const Block block{0, 64, 1000, {}, counts};
   const auto expected = sink->encode(block);
   std::vector<std::vector<std::byte>> results(4);
   std::vector<std::thread> threads;

@@ -17,7 +17,7 @@ namespace sarsim::raster {
 namespace {
 
 // About how many bytes an HDF5 file needs beside the samples.
-double hdf5_overhead_bytes(const simulate::Product& product) {
+double hdf5_overhead_bytes(const Product& product) {
   constexpr double structure = 11500.0;      // Superblock, object headers, the heaps that hold texts and references.
   constexpr double pose_structure = 1900.0;  // Three datasets, what they mean and their axes.
   constexpr double pose = 72.0;
@@ -36,8 +36,8 @@ const std::filesystem::path& free_name(const std::filesystem::path& scratch) {
 // A whole HDF5 file but for its samples, for as long as it is needed.
 class Hdf5Frame {
  public:
-  Hdf5Frame(const std::filesystem::path& path, const simulate::Product& product, const Encoding& encoding,
-            const simulate::RunReport& report)
+  Hdf5Frame(const std::filesystem::path& path, const Product& product, const Encoding& encoding,
+            const RunReport& report)
       : path_(free_name(path)),
         places_(hdf5_module(path).row_places(path, product, scene::option_words(product.options), encoding)),
         rows_(product.rows) {
@@ -73,23 +73,22 @@ class Hdf5Frame {
   std::size_t rows_;
 };
 
-double hdf5_bytes(const simulate::Product& product, const Encoding& encoding, bool) {
+double hdf5_bytes(const Product& product, const Encoding& encoding, bool) {
   const double samples = static_cast<double>(product.rows) * static_cast<double>(product.columns);
   return samples * 2.0 * static_cast<double>(array_component_bytes(encoding)) + hdf5_overhead_bytes(product);
 }
 
-std::unique_ptr<simulate::Sink> hdf5_sink(const std::filesystem::path& path, const simulate::Product& product,
-                                          const Encoding& encoding, bool replace) {
+std::unique_ptr<Sink> hdf5_sink(const std::filesystem::path& path, const Product& product, const Encoding& encoding,
+                                bool replace) {
   return hdf5_module(path).make_sink(path, product, scene::option_words(product.options), encoding, replace);
 }
 
-RowPlaces hdf5_places(const std::filesystem::path& scratch, const simulate::Product& product,
-                      const Encoding& encoding) {
+RowPlaces hdf5_places(const std::filesystem::path& scratch, const Product& product, const Encoding& encoding) {
   return hdf5_module(scratch).row_places(free_name(scratch), product, scene::option_words(product.options), encoding);
 }
 
-void write_hdf5(core::RawFile& file, const std::filesystem::path& scratch, const simulate::Product& product,
-                const Encoding& encoding, const simulate::RunReport& report) {
+void write_hdf5(core::RawFile& file, const std::filesystem::path& scratch, const Product& product,
+                const Encoding& encoding, const RunReport& report) {
   const Hdf5Frame frame(scratch, product, encoding, report);
   frame.copy_to(file);
 }

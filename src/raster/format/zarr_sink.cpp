@@ -12,9 +12,9 @@ namespace sarsim::raster {
 namespace {
 
 // Writes a product as a store of Zarr.
-class ZarrSink final : public simulate::Sink {
+class ZarrSink final : public Sink {
  public:
-  ZarrSink(const std::filesystem::path& path, const simulate::Product& product, const Encoding& encoding, bool replace)
+  ZarrSink(const std::filesystem::path& path, const Product& product, const Encoding& encoding, bool replace)
       : path_(path),
         product_(product),
         encoding_(encoding),
@@ -24,7 +24,7 @@ class ZarrSink final : public simulate::Sink {
         order_(product.rows) {}
 
   [[nodiscard]] bool wants_counts() const override { return encoding_.counts; }
-  [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& block) const override {
+  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
     return encode_array(encoding_, block);
   }
   void append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) override {
@@ -32,7 +32,7 @@ class ZarrSink final : public simulate::Sink {
     by_its_name([&] { rows_.write_at(places_.of(first_row), bytes); });
     order_.take(rows);
   }
-  void finish(const simulate::RunReport& report) override {
+  void finish(const RunReport& report) override {
     order_.expect_all();
     by_its_name([&] { complete_zarr(folder_.working_path(), product_, encoding_, report); });
     folder_.commit();
@@ -50,7 +50,7 @@ class ZarrSink final : public simulate::Sink {
   }
 
   std::filesystem::path path_;
-  simulate::Product product_;
+  Product product_;
   Encoding encoding_;
   core::OutputFolder folder_;
   RowPlaces places_;
@@ -59,7 +59,7 @@ class ZarrSink final : public simulate::Sink {
 };
 
 // About: JSON of ten arrays, and the axes.
-double zarr_bytes(const simulate::Product& product, const Encoding& encoding, bool) {
+double zarr_bytes(const Product& product, const Encoding& encoding, bool) {
   constexpr double text = 8200.0;
   constexpr double pose = 72.0;
   const auto rows = static_cast<double>(product.rows);
@@ -69,12 +69,12 @@ double zarr_bytes(const simulate::Product& product, const Encoding& encoding, bo
          (product.row_pose ? pose * rows : 0.0);
 }
 
-std::unique_ptr<simulate::Sink> zarr_sink(const std::filesystem::path& path, const simulate::Product& product,
-                                          const Encoding& encoding, bool replace) {
+std::unique_ptr<Sink> zarr_sink(const std::filesystem::path& path, const Product& product, const Encoding& encoding,
+                                bool replace) {
   return std::make_unique<ZarrSink>(path, product, encoding, replace);
 }
 
-RowPlaces places_in_zarr(const std::filesystem::path&, const simulate::Product& product, const Encoding& encoding) {
+RowPlaces places_in_zarr(const std::filesystem::path&, const Product& product, const Encoding& encoding) {
   return zarr_places(product, encoding);
 }
 

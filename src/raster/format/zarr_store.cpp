@@ -59,13 +59,13 @@ struct ArrayText {
 // Writes all of a store but its samples.
 class StoreWriter {
  public:
-  StoreWriter(const fs::path& folder, const simulate::Product& product, const Encoding& encoding)
+  StoreWriter(const fs::path& folder, const Product& product, const Encoding& encoding)
       : folder_(folder),
         product_(product),
         encoding_(encoding),
         described_(describe(product, scene::option_words(product.options), encoding.counts)) {}
 
-  void write(const simulate::RunReport& report) {
+  void write(const RunReport& report) {
     for (auto& [name, value] : described_.root)
       if (name == "lsb_v") value = report.lsb_v;
     all_.begin_object().member("zarr_consolidated_format", 1).key("metadata").begin_object();
@@ -152,7 +152,7 @@ class StoreWriter {
   }
 
   fs::path folder_;
-  const simulate::Product& product_;
+  const Product& product_;
   const Encoding& encoding_;
   DescribedProduct described_;
   core::JsonWriter all_;
@@ -196,7 +196,7 @@ std::size_t zarr_chunk_rows(std::size_t rows, std::uint64_t row_bytes) {
   return std::max<std::size_t>(1, (rows + chunks - 1) / chunks);
 }
 
-RowPlaces zarr_places(const simulate::Product& product, const Encoding& encoding) {
+RowPlaces zarr_places(const Product& product, const Encoding& encoding) {
   // A row without samples has a byte, so that there is something to divide by.
   const std::uint64_t row_bytes = std::max<std::uint64_t>(1, 2 * product.columns * array_component_bytes(encoding));
   return {.first_byte = 0,
@@ -206,8 +206,7 @@ RowPlaces zarr_places(const simulate::Product& product, const Encoding& encoding
           .piece_end = encoding.counts ? ".0.0" : ".0"};
 }
 
-void complete_zarr(const fs::path& folder, const simulate::Product& product, const Encoding& encoding,
-                   const simulate::RunReport& report) {
+void complete_zarr(const fs::path& folder, const Product& product, const Encoding& encoding, const RunReport& report) {
   StoreWriter(folder, product, encoding).write(report);
 }
 

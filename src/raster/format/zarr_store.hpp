@@ -10,7 +10,7 @@
 #include "core/text/json.hpp"
 #include "raster/format/encoder.hpp"
 #include "raster/table/row_places.hpp"
-#include "simulate/plan/sink.hpp"
+#include "raster/table/sink.hpp"
 
 namespace sarsim::raster {
 
@@ -24,12 +24,12 @@ void write_zarr_array(core::JsonWriter& json, const std::string& type, std::span
 [[nodiscard]] std::size_t zarr_chunk_rows(std::size_t rows, std::uint64_t row_bytes);
 
 /// Where the rows of a product stand in its store: the array `samples` in chunks of whole rows.
-[[nodiscard]] RowPlaces zarr_places(const simulate::Product& product, const Encoding& encoding);
+[[nodiscard]] RowPlaces zarr_places(const Product& product, const Encoding& encoding);
 
 /// Completes a store whose chunks hold all samples: the axes, what it says of itself and of each array and, last, all
 /// of that together.
-void complete_zarr(const std::filesystem::path& folder, const simulate::Product& product, const Encoding& encoding,
-                   const simulate::RunReport& report);
+void complete_zarr(const std::filesystem::path& folder, const Product& product, const Encoding& encoding,
+                   const RunReport& report);
 
 /// Whether a folder is a store that this program wrote, and nothing else is in it: another one is never replaced.
 [[nodiscard]] bool is_own_zarr_store(const std::filesystem::path& folder);

@@ -71,7 +71,7 @@ TEST(Zarr, ChunksAreAlikeAndOfWholeRows) {
 // Rows of 1 MiB: two chunks of six rows, the second with a row of zeros at its end.
 TEST(Zarr, LastChunkIsFilledUp) {
   const TestFolder folder;
-  const simulate::Product product = test_product(11, std::size_t{1} << 17, 8);
+  const Product product = test_product(11, std::size_t{1} << 17, 8);
   write_test_file(folder / "a.zarr", product, {scene::FileFormat::zarr});
   EXPECT_EQ(fs::file_size(folder / "a.zarr/samples/0.0"), 6U << 20U);
   EXPECT_EQ(fs::file_size(folder / "a.zarr/samples/1.0"), 6U << 20U);
@@ -218,7 +218,7 @@ TEST(Zarr, OneOfSeveralArraysHasToBeNamed) {
 TEST(Zarr, OnlyOwnStoresAreReplaced) {
   const TestFolder folder;
   const fs::path store = folder / "a.zarr";
-  const simulate::Product product = test_product(4, 3, 8);
+  const Product product = test_product(4, 3, 8);
   const SinkOptions force{.format = scene::FileFormat::zarr, .replace = true};
   write_test_file(store, product, {scene::FileFormat::zarr});
   EXPECT_TRUE(is_own_zarr_store(store));

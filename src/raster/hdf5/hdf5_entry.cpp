@@ -10,20 +10,19 @@ namespace sarsim::raster {
 
 namespace {
 
-std::unique_ptr<simulate::Sink> make_hdf5_sink(const std::filesystem::path& path, const simulate::Product& product,
-                                               const FileAttributes& option_words, const Encoding& encoding,
-                                               bool replace) {
+std::unique_ptr<Sink> make_hdf5_sink(const std::filesystem::path& path, const Product& product,
+                                     const FileAttributes& option_words, const Encoding& encoding, bool replace) {
   return std::make_unique<Hdf5Sink>(path, product, option_words, encoding, replace);
 }
 
-RowPlaces hdf5_row_places(const std::filesystem::path& scratch, const simulate::Product& product,
+RowPlaces hdf5_row_places(const std::filesystem::path& scratch, const Product& product,
                           const FileAttributes& option_words, const Encoding& encoding) {
   const Hdf5Sink sink(scratch, product, option_words, encoding, true);
   return {sink.samples_offset(), 2 * product.columns * array_component_bytes(encoding)};
 }
 
-void write_hdf5_frame(const std::filesystem::path& path, const simulate::Product& product,
-                      const FileAttributes& option_words, const Encoding& encoding, const simulate::RunReport& report) {
+void write_hdf5_frame(const std::filesystem::path& path, const Product& product, const FileAttributes& option_words,
+                      const Encoding& encoding, const RunReport& report) {
   Hdf5Sink sink(path, product, option_words, encoding, true);
   sink.append_axes(0, product.rows);
   sink.finish(report);

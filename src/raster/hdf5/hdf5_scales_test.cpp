@@ -149,7 +149,7 @@ TEST(Hdf5Scales, TimesAndRangesNameTheDimensionsOfRecordings) {
 
 TEST(Hdf5Scales, DimensionsWithoutCoordinatesHaveNamesAndLengthsOnly) {
   const TestFolder folder;
-  simulate::Product product = test_product(5, 7, 12);
+  Product product = test_product(5, 7, 12);
   product.row_time_s = {};
   product.row_carrier_hz = {};
   product.row_pose = {};
@@ -167,7 +167,7 @@ TEST(Hdf5Scales, DimensionsWithoutCoordinatesHaveNamesAndLengthsOnly) {
 
 TEST(Hdf5Scales, ImagesHaveTheirOwnAxesAndMaps) {
   const TestFolder folder;
-  simulate::Product product = test_product(5, 7, 12);
+  Product product = test_product(5, 7, 12);
   product.image.rows = "azimuth_m";
   product.image.row_m = [](std::size_t row) { return 10.0 * static_cast<double>(row); };
   product.image.columns = "ground_range_m";

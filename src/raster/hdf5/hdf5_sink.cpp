@@ -84,8 +84,8 @@ bool add_scale(Hdf5Scales& scales, const std::vector<DescribedArray>& arrays, st
 
 }  // namespace
 
-Hdf5Sink::Hdf5Sink(const std::filesystem::path& path, const simulate::Product& product,
-                   const FileAttributes& option_words, const Encoding& encoding, bool replace)
+Hdf5Sink::Hdf5Sink(const std::filesystem::path& path, const Product& product, const FileAttributes& option_words,
+                   const Encoding& encoding, bool replace)
     : rows_(product.rows),
       columns_(product.columns),
       described_(describe(product, option_words, encoding.counts)),
@@ -197,7 +197,7 @@ std::uint64_t Hdf5Sink::samples_offset() const {
   return offset;
 }
 
-void Hdf5Sink::finish(const simulate::RunReport& report) {
+void Hdf5Sink::finish(const RunReport& report) {
   order_.expect_all();
   const Hdf5Use use;
   write_row_axes(rows_, 1);

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -59,7 +60,7 @@ std::vector<Piece> pieces_of(std::span<const Journal> journals) {
   return pieces;
 }
 
-std::string rows_text(simulate::RowRange rows) {
+std::string rows_text(RowRange rows) {
   if (rows.count == 1) return fmt::format("pulse {}", rows.first + 1);
   return fmt::format("pulses {} to {}", rows.first + 1, rows.end());
 }
@@ -87,7 +88,7 @@ bool each_piece(const PlacedRows& file, const Claim& claim, std::size_t step,
 }
 
 // Throws core::InvalidRequest for a piece whose bytes are not there.
-void verify(const std::vector<Piece>& pieces, const RowPlaces& places, const simulate::RunControl& control) {
+void verify(const std::vector<Piece>& pieces, const RowPlaces& places, const RunControl& control) {
   core::parallel_ranges(pieces.size(), 1, {core::thread_count(control.threads), control.stop},
                         [&](std::size_t begin, std::size_t end) {
                           for (std::size_t i = begin; i < end; ++i)
@@ -110,7 +111,7 @@ double seconds_of(const std::vector<Piece>& pieces) {
 // One join, from the pieces to a complete file that has not its name yet.
 class Joiner {
  public:
-  Joiner(const JoinTask& task, const simulate::RunControl& control)
+  Joiner(const JoinTask& task, const RunControl& control)
       : task_(task),
         control_(control),
         pieces_(pieces_of(task.journals)),
@@ -159,9 +160,9 @@ class Joiner {
     const double given_v = task_.product.product.lsb_v;
     Joined joined;
     if (task_.product.estimate_lsb) {
-      complete = convert(joined.report, simulate::lsb_of_maximum_v(tally.maximum_v, recorded_.bits));
+      complete = convert(joined.report, lsb_of_maximum_v(tally.maximum_v, recorded_.bits));
     } else {
-      joined.report = simulate::report_of(recorded_, given_v, tally);
+      joined.report = report_of(recorded_, given_v, tally);
       complete = in_place() ? frame(joined.report) : concatenate(joined.report);
     }
     joined.report.seconds = seconds_of(pieces_);
@@ -181,7 +182,7 @@ class Joiner {
     });
   }
 
-  fs::path frame(const simulate::RunReport& report) {
+  fs::path frame(const RunReport& report) {
     verify(unchecked(), places_, control_);
     const fs::path path = shared_rows_of(folder_);
     if (is_folder_) {
@@ -195,7 +196,7 @@ class Joiner {
     return path;
   }
 
-  [[nodiscard]] std::unique_ptr<simulate::Sink> sink_at(const fs::path& path) const {
+  [[nodiscard]] std::unique_ptr<Sink> sink_at(const fs::path& path) const {
     SinkOptions options = task_.product.options;
     options.replace = true;
     // A link or a pipe of this name would lead the recording elsewhere.
@@ -203,7 +204,7 @@ class Joiner {
     return make_sink(path, task_.product.product, options);
   }
 
-  fs::path concatenate(const simulate::RunReport& report) {
+  fs::path concatenate(const RunReport& report) {
     fs::path path = joined_path();
     const auto sink = sink_at(path);
     const auto places = row_places(frame_path(), task_.product.product, task_.product.options);
@@ -218,9 +219,9 @@ class Joiner {
   }
 
   // Rows of a known size go on as whole rows; text in any pieces, of which the last one counts as the rows.
-  void append(const Piece& piece, std::size_t row_bytes, simulate::Sink& sink) const {
+  void append(const Piece& piece, std::size_t row_bytes, Sink& sink) const {
     const PlacedRows file = rows_of(*piece.journal, places_);
-    const simulate::RowRange rows = piece.claim.rows;
+    const RowRange rows = piece.claim.rows;
     const std::size_t step =
         row_bytes > 0 ? std::max(piece_bytes / row_bytes, std::size_t{1}) * row_bytes : piece_bytes;
     std::size_t row = rows.first;
@@ -233,17 +234,17 @@ class Joiner {
     if (row_bytes == 0) sink.append({}, rows.first, rows.count);
   }
 
-  fs::path convert(simulate::RunReport& report, double lsb_v) {
+  fs::path convert(RunReport& report, double lsb_v) {
     verify(pieces_, places_, control_);
     fs::path path = joined_path();
     const auto sink = sink_at(path);
-    report = simulate::run_stored(
+    report = run_stored(
         recorded_, [&] { return reader(); }, lsb_v, *sink, control_);
     return path;
   }
 
   // Of one thread, with one file open at a time: there may be more parts than a process may have files.
-  [[nodiscard]] simulate::RowReader reader() const {
+  [[nodiscard]] RowReader reader() const {
     struct Open {
       const Journal* journal = nullptr;
       core::RawFile file;
@@ -279,10 +280,10 @@ class Joiner {
   void write_receipt(const fs::path& complete, const Joined& joined) const;
 
   const JoinTask& task_;
-  const simulate::RunControl& control_;
+  const RunControl& control_;
   std::vector<Piece> pieces_;
   fs::path folder_;
-  simulate::Recorded recorded_;
+  Recorded recorded_;
   bool is_folder_;
   RowPlaces places_;  // Of rows that stand in pieces.
 };
@@ -380,9 +381,9 @@ void remove_emptied(const fs::path& folder) noexcept {
 }
 
 // Whose the missing rows would be.
-std::string owner_text(const std::vector<Journal>& journals, simulate::RowRange missing) {
+std::string owner_text(const std::vector<Journal>& journals, RowRange missing) {
   for (const Journal& journal : journals) {
-    const simulate::RowRange range = journal.head.range;
+    const RowRange range = journal.head.range;
     if (missing.first >= range.first && missing.first < range.end())
       return fmt::format("part {} has not finished; go on with it by --resume", journal.head.part);
   }
@@ -473,11 +474,11 @@ void remove_parts(const fs::path& folder) noexcept {
   remove_emptied(folder);
 }
 
-std::vector<simulate::RowRange> missing_rows(simulate::RowRange range, std::span<const Journal> journals) {
-  std::vector<simulate::RowRange> missing;
+std::vector<RowRange> missing_rows(RowRange range, std::span<const Journal> journals) {
+  std::vector<RowRange> missing;
   std::size_t next = range.first;
   for (const Piece& piece : pieces_of(journals)) {
-    const simulate::RowRange rows = piece.claim.rows;
+    const RowRange rows = piece.claim.rows;
     if (rows.first >= range.end()) break;
     if (rows.first > next) missing.push_back({next, rows.first - next});
     next = std::max(next, rows.end());
@@ -493,16 +494,16 @@ core::Problems join_problems(const std::vector<Journal>& journals, std::size_t r
   if (!problems.empty()) return problems;
   const std::vector<Piece> pieces = pieces_of(journals);
   for (std::size_t i = 1; i < pieces.size() && problems.size() < most; ++i) {
-    const simulate::RowRange before = pieces[i - 1].claim.rows;
-    const simulate::RowRange here = pieces[i].claim.rows;
+    const RowRange before = pieces[i - 1].claim.rows;
+    const RowRange here = pieces[i].claim.rows;
     if (here.first >= before.end()) continue;
-    const simulate::RowRange both{here.first, std::min(before.end(), here.end()) - here.first};
+    const RowRange both{here.first, std::min(before.end(), here.end()) - here.first};
     problems.push_back(file_problem(pieces[i].journal->path.string(),
                                     fmt::format("parts overlap: {} are in part {} and in part {}", rows_text(both),
                                                 pieces[i - 1].journal->head.part, pieces[i].journal->head.part)));
     problems.back().hint = "leave one of them out";
   }
-  for (const simulate::RowRange& missing : missing_rows({0, rows}, journals)) {
+  for (const RowRange& missing : missing_rows({0, rows}, journals)) {
     if (problems.size() >= most) break;
     core::Problem problem =
         file_problem({}, fmt::format("parts are missing: no part holds {} of {}", rows_text(missing), rows));
@@ -527,7 +528,7 @@ bool holds(const Journal& journal, const Claim& claim, const RowPlaces& places) 
   return each_piece(rows_of(journal, places), claim, piece_bytes, {});
 }
 
-Joined join_parts(const JoinTask& task, const simulate::RunControl& control) { return Joiner(task, control).join(); }
+Joined join_parts(const JoinTask& task, const RunControl& control) { return Joiner(task, control).join(); }
 
 bool is_finished(const fs::path& output) { return receipt_journal(output).has_value(); }
 
@@ -537,10 +538,9 @@ std::optional<Receipt> read_receipt(const fs::path& output, const StoredProduct&
   Receipt receipt{journal->head.identity, {}};
   std::erase_if(receipt.identity, [](const auto& one) { return one.first == finished_name; });
   const Claim& claim = journal->claims.front();
-  const simulate::Product& product = stored.product;
-  const double lsb_v =
-      stored.estimate_lsb ? simulate::lsb_of_maximum_v(claim.tally.maximum_v, product.bits) : product.lsb_v;
-  receipt.report = simulate::report_of({product.rows, product.columns, product.bits}, lsb_v, claim.tally);
+  const Product& product = stored.product;
+  const double lsb_v = stored.estimate_lsb ? lsb_of_maximum_v(claim.tally.maximum_v, product.bits) : product.lsb_v;
+  receipt.report = report_of({product.rows, product.columns, product.bits}, lsb_v, claim.tally);
   receipt.report.seconds = claim.seconds;
   return receipt;
 }

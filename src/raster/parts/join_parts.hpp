@@ -11,7 +11,7 @@
 #include "core/task/parallel.hpp"
 #include "raster/parts/journal.hpp"
 #include "raster/parts/stored_product.hpp"
-#include "simulate/run/run.hpp"
+#include "raster/table/encode_rows.hpp"
 
 namespace sarsim::raster {
 
@@ -45,7 +45,7 @@ void remove_parts(const std::filesystem::path& folder) noexcept;
 void remove_joins(const std::filesystem::path& folder) noexcept;
 
 /// Rows of a range for which no journal vouches, in order.
-[[nodiscard]] std::vector<simulate::RowRange> missing_rows(simulate::RowRange range, std::span<const Journal> journals);
+[[nodiscard]] std::vector<RowRange> missing_rows(RowRange range, std::span<const Journal> journals);
 
 /// What keeps journals from being joined: rows that are missing, rows that two vouch for, other identities.
 [[nodiscard]] core::Problems join_problems(const std::vector<Journal>& journals, std::size_t rows);
@@ -73,7 +73,7 @@ struct JoinTask {
 
 /// What the whole turned out to be.
 struct Joined {
-  simulate::RunReport report;  ///< `seconds`: of computing, of all parts together.
+  RunReport report;  ///< `seconds`: of computing, of all parts together.
 };
 
 /// Makes a recording's file of its parts, byte for byte the file of a single run, and gives it its name; beside it a
@@ -81,12 +81,12 @@ struct Joined {
 /// which becomes the output where all rows stand in it.
 /// Where it fails, the parts are all that is left.
 /// @throws core::InvalidRequest where rows are not what their journal says, and where the output is there but no file
-Joined join_parts(const JoinTask& task, const simulate::RunControl& control);
+Joined join_parts(const JoinTask& task, const RunControl& control);
 
 /// A finished recording's receipt.
 struct Receipt {
   Identity identity;
-  simulate::RunReport report;
+  RunReport report;
 };
 
 /// Whether a recording is there that was finished, with its receipt, and was not changed since.

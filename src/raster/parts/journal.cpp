@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <iterator>
 #include <set>
 #include <string_view>
@@ -39,11 +38,10 @@ class Words {
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     return word;
   }
-  template <class Number>
-  bool take(Number& value, int base = 10) {
-    const std::string_view word = next();
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value, base);
-    return error == std::errc() && end == word.data() + word.size() && !word.empty();
+  bool take(std::uint64_t& value, int base = 10) {
+    const auto number = core::parse_whole(next(), base);
+    value = number.value_or(0);
+    return number.has_value();
   }
   bool take(double& value) {
     const auto number = core::parse_number(next());

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/report/problem.hpp"
-#include "simulate/run/run.hpp"
+#include "raster/table/encode_rows.hpp"
 
 namespace sarsim::raster {
 
@@ -37,15 +37,15 @@ inline constexpr std::string_view journal_signature = "sarsim journal 1";
 /// What the beginning of a journal says.
 struct JournalHead {
   Identity identity;
-  std::string part;          ///< Name of the part, for people: "3/8".
-  simulate::RowRange range;  ///< Rows that it is to make; none where they are dealt out as it goes.
+  std::string part;  ///< Name of the part, for people: "3/8".
+  RowRange range;    ///< Rows that it is to make; none where they are dealt out as it goes.
   RowStore store = RowStore::placed;
   std::string maker;  ///< Where it is made: "host, process 123".
 };
 
 /// Rows that are safe on the disk: one entry of a journal.
 struct Claim {
-  simulate::RowRange rows;
+  RowRange rows;
   std::uint64_t offset = 0;  ///< In the file that holds them.
   std::uint64_t bytes = 0;
   std::uint64_t checksum = 0;  ///< Of these bytes.

@@ -45,7 +45,7 @@ void expect_damage(const std::string& text, std::size_t line) {
   EXPECT_EQ(problem->place.line, line);
 }
 
-Journal journal_of(const std::string& part, simulate::RowRange range, const std::vector<Claim>& claims,
+Journal journal_of(const std::string& part, RowRange range, const std::vector<Claim>& claims,
                    const Identity& identity = {}) {
   return {part + ".journal", {identity, part, range, RowStore::placed, ""}, claims, 0};
 }
@@ -55,14 +55,14 @@ TEST(Journal, ReadsWhatItsTextSays) {
   const Journal journal = parsed(text);
   EXPECT_EQ(journal.head.identity, test_head().identity);
   EXPECT_EQ(journal.head.part, "3/8");
-  EXPECT_EQ(journal.head.range, (simulate::RowRange{20, 10}));
+  EXPECT_EQ(journal.head.range, (RowRange{20, 10}));
   EXPECT_EQ(journal.head.store, RowStore::volts);
   EXPECT_EQ(journal.head.maker, "node 7, process 4711");
   EXPECT_EQ(journal.bytes, text.size());
   ASSERT_EQ(journal.claims.size(), 2U);
   EXPECT_EQ(journal.claimed_rows(), 10U);
   const Claim claim = journal.claims[1];
-  EXPECT_EQ(claim.rows, (simulate::RowRange{24, 6}));
+  EXPECT_EQ(claim.rows, (RowRange{24, 6}));
   EXPECT_EQ(claim.offset, 240U);
   EXPECT_EQ(claim.bytes, 60U);
   EXPECT_EQ(claim.checksum, 0x0123456789abcdefU);
@@ -130,11 +130,10 @@ TEST(Journal, NamesWhatDiffersAndTheScriptOnlyWhereNothingElseDoes) {
 TEST(MissingRows, AreTheGapsBetweenAllEntries) {
   const std::vector<Journal> journals{journal_of("1/2", {0, 50}, {claim_of(10, 5), claim_of(30, 10)}),
                                       journal_of("2/2", {50, 50}, {claim_of(15, 5), claim_of(95, 5)})};
-  EXPECT_THAT(missing_rows({0, 100}, journals),
-              ElementsAre(simulate::RowRange{0, 10}, simulate::RowRange{20, 10}, simulate::RowRange{40, 55}));
-  EXPECT_THAT(missing_rows({12, 20}, journals), ElementsAre(simulate::RowRange{20, 10}));
+  EXPECT_THAT(missing_rows({0, 100}, journals), ElementsAre(RowRange{0, 10}, RowRange{20, 10}, RowRange{40, 55}));
+  EXPECT_THAT(missing_rows({12, 20}, journals), ElementsAre(RowRange{20, 10}));
   EXPECT_TRUE(missing_rows({30, 10}, journals).empty());
-  EXPECT_THAT(missing_rows({0, 3}, {}), ElementsAre(simulate::RowRange{0, 3}));
+  EXPECT_THAT(missing_rows({0, 3}, {}), ElementsAre(RowRange{0, 3}));
 }
 
 TEST(JoinProblems, NameOverlapsGapsAndOtherRuns) {

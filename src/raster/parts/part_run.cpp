@@ -24,11 +24,9 @@ namespace {
 
 std::string maker_text() { return fmt::format("{}, process {}", core::host_name(), core::process_id()); }
 
-bool meet(simulate::RowRange a, simulate::RowRange b) {
-  return a.count > 0 && b.count > 0 && a.first < b.end() && b.first < a.end();
-}
+bool meet(RowRange a, RowRange b) { return a.count > 0 && b.count > 0 && a.first < b.end() && b.first < a.end(); }
 
-bool meets(const Journal& journal, simulate::RowRange range) {
+bool meets(const Journal& journal, RowRange range) {
   return meet(journal.head.range, range) ||
          std::ranges::any_of(journal.claims, [&](const Claim& claim) { return meet(claim.rows, range); });
 }
@@ -240,7 +238,7 @@ void PartRun::expect_complete() const {
                   task_.words, folder_.string()));
 }
 
-PartOutcome PartRun::finish(bool replace, const simulate::RunControl& control) {
+PartOutcome PartRun::finish(bool replace, const RunControl& control) {
   writer_->settle();
   PartOutcome outcome;
   const core::RawFile door = open_door(folder_);
@@ -255,7 +253,7 @@ PartOutcome PartRun::finish(bool replace, const simulate::RunControl& control) {
   std::ranges::copy(writer_->claims(), std::back_inserter(join.checked));
   const std::size_t rows = task_.product.product.rows;
   outcome.rows_there = rows;
-  for (const simulate::RowRange& missing : missing_rows({0, rows}, join.journals)) outcome.rows_there -= missing.count;
+  for (const RowRange& missing : missing_rows({0, rows}, join.journals)) outcome.rows_there -= missing.count;
   if (outcome.rows_there < rows || task_.apart) return outcome;
   if (core::Problems problems = join_problems(join.journals, rows); !problems.empty())
     throw core::InvalidRequest(std::move(problems));

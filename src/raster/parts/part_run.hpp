@@ -15,7 +15,7 @@ struct PartTask {
   std::filesystem::path output;  ///< What the parts become together.
   std::string name;              ///< Of the part's files: "part-3-of-8".
   std::string words;             ///< Of the part in messages: "3/8".
-  simulate::RowRange range;
+  RowRange range;
   bool dealt = false;   ///< Rows come as a leader deals them, who has made sure of them; `range` is empty.
   bool apart = false;   ///< Rows go to a file of the part's own, to be joined by somebody else.
   bool resume = false;  ///< Go on where an earlier process ended; otherwise nothing may be there.
@@ -49,7 +49,7 @@ class PartRun {
   ~PartRun() = default;
 
   /// Ranges that are still to be made, in order.
-  [[nodiscard]] const std::vector<simulate::RowRange>& missing() const { return missing_; }
+  [[nodiscard]] const std::vector<RowRange>& missing() const { return missing_; }
   /// Rows whose journal vouched for bytes that are not there; they are missing again.
   [[nodiscard]] std::size_t rejected_rows() const { return rejected_rows_; }
   [[nodiscard]] PartWriter& writer() { return *writer_; }
@@ -58,7 +58,7 @@ class PartRun {
   /// @throws core::InvalidRequest where it is not what they say; std::runtime_error where the part's own files have
   /// gone, though
   ///         the recording is not complete
-  [[nodiscard]] PartOutcome finish(bool replace, const simulate::RunControl& control);
+  [[nodiscard]] PartOutcome finish(bool replace, const RunControl& control);
 
  private:
   void enter();
@@ -83,7 +83,7 @@ class PartRun {
   std::vector<Claim> checked_;     // Of these, what was found to be there.
   core::JournalFile journal_;      // The part's own, locked.
   PlacedRows rows_;
-  std::vector<simulate::RowRange> missing_;
+  std::vector<RowRange> missing_;
   std::size_t rejected_rows_ = 0;
   std::optional<PartWriter> writer_;
 };

@@ -30,8 +30,7 @@ StoredProduct stored_as(scene::FileFormat format, bool counts = false) {
   return stored;
 }
 
-PartTask task_for(const fs::path& output, const StoredProduct& product, const std::string& name,
-                  simulate::RowRange range) {
+PartTask task_for(const fs::path& output, const StoredProduct& product, const std::string& name, RowRange range) {
   PartTask task;
   task.output = output;
   task.name = name;
@@ -44,11 +43,11 @@ PartTask task_for(const fs::path& output, const StoredProduct& product, const st
 }
 
 // Rows of the test's recording as their file holds them.
-simulate::EncodedRows encoded(const StoredProduct& stored, simulate::RowRange range) {
+EncodedRows encoded(const StoredProduct& stored, RowRange range) {
   const auto sink = make_discarding_sink(stored.product, stored.options);
   const auto counts = data_test::test_counts(rows * columns, bits);
   const auto volts = data_test::test_volts(rows * columns);
-  simulate::Block block{range.first, range.count, columns, {}, {}};
+  Block block{range.first, range.count, columns, {}, {}};
   if (sink->wants_counts())
     block.counts = std::span(counts).subspan(2 * range.first * columns, 2 * range.count * columns);
   else
@@ -57,7 +56,7 @@ simulate::EncodedRows encoded(const StoredProduct& stored, simulate::RowRange ra
 }
 
 PartOutcome make(PartRun& part, const StoredProduct& stored) {
-  for (const simulate::RowRange& range : part.missing())
+  for (const RowRange& range : part.missing())
     for (std::size_t row = range.first; row < range.end(); ++row) part.writer().take(encoded(stored, {row, 1}));
   return part.finish(false, {});
 }
@@ -104,7 +103,7 @@ TEST(PartRun, GoesOnWithWhatItsJournalVouchesFor) {
   EXPECT_THROW(PartRun(task, {}), core::InvalidRequest);
   task.resume = true;
   PartRun late(task, {});
-  EXPECT_THAT(late.missing(), ElementsAre(simulate::RowRange{2, 3}, simulate::RowRange{8, 4}));
+  EXPECT_THAT(late.missing(), ElementsAre(RowRange{2, 3}, RowRange{8, 4}));
   EXPECT_TRUE(make(late, stored).joined.has_value());
   data_test::write_test_file(folder / "whole", stored.product, stored.options);
   EXPECT_EQ(contents(folder / "out"), contents(folder / "whole"));
@@ -312,8 +311,8 @@ TEST(StoredProduct, ComesBackWhole) {
   const StoredProduct stored = stored_as(scene::FileFormat::hdf5, true);
   store_product(folder / "product", stored);
   const StoredProduct back = load_product(folder / "product");
-  const simulate::Product& a = stored.product;
-  const simulate::Product& b = back.product;
+  const Product& a = stored.product;
+  const Product& b = back.product;
   EXPECT_EQ(std::tie(b.radar, b.rows, b.columns, b.sample_rate_hz, b.bits, b.lsb_v, b.options, b.engine, b.script),
             std::tie(a.radar, a.rows, a.columns, a.sample_rate_hz, a.bits, a.lsb_v, a.options, a.engine, a.script));
   EXPECT_EQ(b.row_time_s(rows - 1), a.row_time_s(rows - 1));

@@ -16,7 +16,7 @@ PartWriter::PartWriter(PlacedRows& rows, core::JournalFile& journal, const RowPl
       settled_at_s_(core::now_s()),
       next_settling_s_(settled_at_s_ + pace.seconds) {}
 
-void PartWriter::take(const simulate::EncodedRows& block) {
+void PartWriter::take(const EncodedRows& block) {
   const std::uint64_t offset = places_.row_bytes > 0 ? places_.of(block.rows.first) : rows_end_;
   rows_.write_at(offset, block.bytes);
   rows_end_ = offset + block.bytes.size();

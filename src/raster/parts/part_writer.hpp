@@ -28,7 +28,7 @@ class PartWriter {
   PartWriter(PlacedRows& rows, core::JournalFile& journal, const RowPlaces& places, const JournalPace& pace);
 
   /// Writes rows to the file; now and then vouches for what there is.
-  void take(const simulate::EncodedRows& block);
+  void take(const EncodedRows& block);
   /// Brings everything to the disk and vouches for it.
   void settle();
   /// Claims made so far.

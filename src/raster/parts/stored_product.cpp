@@ -37,7 +37,7 @@ constexpr std::uint64_t max_bytes = std::uint64_t{1} << 34U;
 }
 
 using Axis = std::function<double(std::size_t)>;
-using Poses = std::function<simulate::RowPose(std::size_t)>;
+using Poses = std::function<RowPose(std::size_t)>;
 
 // Words of 64 bits and texts, one after the other; a checksum at the end.
 class Packer {
@@ -59,7 +59,7 @@ class Packer {
   void put_poses(const Poses& poses, std::size_t count) {
     put(poses ? count : 0);
     for (std::size_t i = 0; poses && i < count; ++i) {
-      const simulate::RowPose pose = poses(i);
+      const RowPose pose = poses(i);
       for (const auto& triple : {pose.position_m, pose.velocity_mps, pose.rotation_rad})
         for (const double value : triple) put_real(value);
     }
@@ -115,9 +115,9 @@ class Unpacker {
   [[nodiscard]] Poses poses() {
     const std::uint64_t count = word();
     if (count == 0) return {};
-    const auto values = std::make_shared<std::vector<simulate::RowPose>>();
+    const auto values = std::make_shared<std::vector<RowPose>>();
     for (std::uint64_t i = 0; i < count; ++i) {
-      simulate::RowPose pose;
+      RowPose pose;
       for (auto* triple : {&pose.position_m, &pose.velocity_mps, &pose.rotation_rad})
         for (double& value : *triple) value = real();
       values->push_back(pose);
@@ -163,7 +163,7 @@ std::vector<std::byte> bytes_of(const std::filesystem::path& path) {
 }  // namespace
 
 void store_product(const std::filesystem::path& path, const StoredProduct& stored) {
-  const simulate::Product& product = stored.product;
+  const Product& product = stored.product;
   const bool axes = format_of(stored.options.format).carries_axes;
   Packer packer;
   packer.put(format_mark);
@@ -202,7 +202,7 @@ StoredProduct load_product(const std::filesystem::path& path) {
   Unpacker from(bytes, path);
   static_cast<void>(from.word());  // The mark.
   StoredProduct stored;
-  simulate::Product& product = stored.product;
+  Product& product = stored.product;
   product.radar = from.text();
   product.processing = static_cast<scene::Processing>(from.word());
   product.rows = from.word();

@@ -5,14 +5,14 @@
 
 #include "raster/format/sinks.hpp"
 #include "raster/parts/journal.hpp"
-#include "simulate/plan/sink.hpp"
+#include "raster/table/sink.hpp"
 
 namespace sarsim::raster {
 
 /// What is needed to make a recording's file from its rows without the scene: for parts that are joined elsewhere. Of a
 /// recording that is made here everything is known.
 struct StoredProduct {
-  simulate::Product product;
+  Product product;
   SinkOptions options;
   bool estimate_lsb = false;  ///< The rows are volts until the largest of all of them is known.
   std::string engine_reason;

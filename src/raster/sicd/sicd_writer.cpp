@@ -9,6 +9,7 @@
 #include "core/maths/constants.hpp"
 #include "core/report/expect.hpp"
 #include "core/report/invalid_request.hpp"
+#include "core/text/letters.hpp"
 
 namespace sarsim::raster {
 
@@ -23,7 +24,7 @@ float turned_bytes(float value) { return std::bit_cast<float>(__builtin_bswap32(
 std::string compact_date(const std::string& date) {
   std::string digits;
   for (const char c : date.substr(0, 19))
-    if (c >= '0' && c <= '9') digits += c;
+    if (core::is_digit(c)) digits += c;
   return digits;
 }
 

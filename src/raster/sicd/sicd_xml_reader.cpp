@@ -25,30 +25,6 @@ struct ElementFailure {
   std::string expected;
 };
 
-// Names may carry a prefix of their name space.
-bool is_called(const pugi::xml_node& node, std::string_view name) {
-  const std::string_view whole = node.name();
-  const std::size_t colon = whole.find(':');
-  return (colon == std::string_view::npos ? whole : whole.substr(colon + 1)) == name;
-}
-
-// Whether two elements say the same, blanks aside.
-bool same_content(const pugi::xml_node& a, const pugi::xml_node& b) {
-  if (core::trimmed(a.child_value()) != core::trimmed(b.child_value())) return false;
-  const auto element_after = [](pugi::xml_node node) {
-    while (node && node.type() != pugi::node_element) node = node.next_sibling();
-    return node;
-  };
-  pugi::xml_node of_a = element_after(a.first_child());
-  pugi::xml_node of_b = element_after(b.first_child());
-  while (of_a && of_b) {
-    if (std::strcmp(of_a.name(), of_b.name()) != 0 || !same_content(of_a, of_b)) return false;
-    of_a = element_after(of_a.next_sibling());
-    of_b = element_after(of_b.next_sibling());
-  }
-  return !of_a && !of_b;
-}
-
 // The element at a path such as "Grid/Row/SS"; null where it is missing. Of two that differ nothing tells which counts.
 pugi::xml_node element_at(pugi::xml_node node, std::string_view path) {
   while (!path.empty() && node) {
@@ -56,9 +32,9 @@ pugi::xml_node element_at(pugi::xml_node node, std::string_view path) {
     const std::string_view name = path.substr(0, slash);
     path = slash == std::string_view::npos ? std::string_view() : path.substr(slash + 1);
     const pugi::xml_node parent = node;
-    node = parent.find_child([&](const pugi::xml_node& child) { return is_called(child, name); });
+    node = parent.find_child([&](const pugi::xml_node& child) { return core::local_name(child) == name; });
     for (pugi::xml_node other = node.next_sibling(); other; other = other.next_sibling())
-      if (is_called(other, name) && !same_content(node, other))
+      if (core::local_name(other) == name && !core::same_content(node, other))
         throw ElementFailure{fmt::format("the XML text has an element {} twice", name), {}, "one"};
   }
   return node;
@@ -112,7 +88,7 @@ std::vector<float> amplitudes_of(pugi::xml_node root) {
   for (const pugi::xml_node& entry : table.children()) {
     const auto index = core::parse_integer(entry.attribute("index").value());
     const auto value = core::parse_number(core::trimmed(entry.child_value()));
-    if (!is_called(entry, "Amplitude")) continue;
+    if (core::local_name(entry) != "Amplitude") continue;
     if (!index || *index < 0 || *index >= static_cast<std::int64_t>(entries) || !value || !(std::abs(*value) < 1e38))
       throw ElementFailure{"an element ImageData/AmpTable/Amplitude is not a number with an index",
                            fmt::format("index {}: {}", core::quoted_word(entry.attribute("index").value()),
@@ -134,7 +110,7 @@ std::vector<float> amplitudes_of(pugi::xml_node root) {
 double offset_at(pugi::xml_node root, const char* direction) {
   const pugi::xml_node polynomial = element_at(root, fmt::format("Grid/{}/DeltaKCOAPoly", direction));
   for (const pugi::xml_node& coefficient : polynomial.children())
-    if (is_called(coefficient, "Coef") && std::strcmp(coefficient.attribute("exponent1").value(), "0") == 0 &&
+    if (core::local_name(coefficient) == "Coef" && std::strcmp(coefficient.attribute("exponent1").value(), "0") == 0 &&
         std::strcmp(coefficient.attribute("exponent2").value(), "0") == 0)
       return core::parse_number(core::trimmed(coefficient.child_value())).value_or(0.0);
   return 0.0;
@@ -191,7 +167,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(pugi::xml_node root) {
     if (!text.empty()) facts.emplace_back(name, std::move(text));
   }
   for (const pugi::xml_node& parameter : element_at(root, "CollectionInfo").children())
-    if (is_called(parameter, "Parameter"))
+    if (core::local_name(parameter) == "Parameter")
       facts.emplace_back(parameter.attribute("name").value(), parameter.child_value());
   for (const char* const side : {"Lat", "Lon", "HAE"})
     if (std::string text = text_at(root, fmt::format("GeoData/SCP/LLH/{}", side)); !text.empty())
@@ -224,7 +200,7 @@ void expect_version(pugi::xml_node root) {
   const std::string attribute =
       colon == std::string_view::npos ? "xmlns" : "xmlns:" + std::string(whole.substr(0, colon));
   const std::string_view space = root.attribute(attribute.c_str()).value();
-  if (!is_called(root, "SICD") || !space.starts_with(known))
+  if (core::local_name(root) != "SICD" || !space.starts_with(known))
     throw ElementFailure{"the XML text is not one of SICD 1",
                          fmt::format("{} in {}", core::quoted_word(whole), core::quoted_word(space)),
                          "SICD in urn:SICD:1.0.0 to 1.5.0"};

@@ -12,6 +12,7 @@
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "core/text/quoted_word.hpp"
+#include "core/text/separated.hpp"
 #include "raster/table/axis_labels.hpp"
 #include "raster/table/file_problem.hpp"
 
@@ -25,7 +26,6 @@ struct UnitWord {
   std::string_view si;
 };
 
-constexpr double degree = core::pi / 180.0;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // As udunits writes them, and as people do.
@@ -80,9 +80,9 @@ constexpr std::array<UnitWord, 59> unit_words{{
     {"rad", 1.0, "rad"},
     {"radian", 1.0, "rad"},
     {"radians", 1.0, "rad"},
-    {"deg", degree, "rad"},
-    {"degree", degree, "rad"},
-    {"degrees", degree, "rad"},
+    {"deg", core::rad_per_deg, "rad"},
+    {"degree", core::rad_per_deg, "rad"},
+    {"degrees", core::rad_per_deg, "rad"},
     {"V", 1.0, "V"},
     {"volt", 1.0, "V"},
     {"volts", 1.0, "V"},
@@ -128,9 +128,7 @@ constexpr double largest_factor = 1e29;
 // The numbers of an attribute, separated by commas; nothing where one is none.
 std::optional<std::vector<double>> numbers_of(std::string_view text) {
   std::vector<double> numbers;
-  while (true) {
-    const std::size_t comma = std::min(text.find(','), text.size());
-    const std::string word(core::trimmed(text.substr(0, comma)));
+  for (const std::string_view word : core::pieces_of(text, ',')) {
     const auto number = core::parse_number(word);
     if (number)
       numbers.push_back(*number);
@@ -140,9 +138,8 @@ std::optional<std::vector<double>> numbers_of(std::string_view text) {
       numbers.push_back(word == "inf" ? infinity : -infinity);
     else
       return std::nullopt;
-    if (comma == text.size()) return numbers;
-    text.remove_prefix(comma + 1);
   }
+  return numbers;
 }
 
 // Reads attributes of numbers and keeps the first problem.

@@ -16,11 +16,11 @@ namespace {
 
 constexpr std::int32_t format_version = 1;
 
-void add_facts(Attributes& attributes, const simulate::Facts& facts) {
+void add_facts(Attributes& attributes, const Facts& facts) {
   for (const auto& [name, value] : facts) std::visit([&](const auto& v) { attributes.emplace_back(name, v); }, value);
 }
 
-Attributes root_attributes(const simulate::Product& product, const FileAttributes& option_words) {
+Attributes root_attributes(const Product& product, const FileAttributes& option_words) {
   Attributes root{{"Conventions", std::string("CF-1.8")},
                   {"format_version", format_version},
                   {"program_version", std::string(core::program_version)}};
@@ -47,10 +47,10 @@ Attributes words_for(const char* units, const char* long_name) {
 
 class Describer {
  public:
-  explicit Describer(const simulate::Product& product) : product_(product) {}
+  explicit Describer(const Product& product) : product_(product) {}
 
   DescribedProduct describe(const FileAttributes& option_words, bool counts) {
-    const simulate::ImageAxes& image = product_.image;
+    const ImageAxes& image = product_.image;
     described_.root = root_attributes(product_, option_words);
     // Times name the rows of recordings and go with those of images.
     described_.down = image.row_m ? image.rows : product_.row_time_s ? "pulse_time_s" : "pulse";
@@ -105,7 +105,7 @@ class Describer {
     }
   }
 
-  const simulate::Product& product_;
+  const Product& product_;
   DescribedProduct described_;
 };
 
@@ -136,7 +136,7 @@ std::optional<core::Problem> problem_of_own_words(const ArrayAttributes& root) {
 
 }  // namespace
 
-DescribedProduct describe(const simulate::Product& product, const FileAttributes& option_words, bool counts) {
+DescribedProduct describe(const Product& product, const FileAttributes& option_words, bool counts) {
   return Describer(product).describe(option_words, counts);
 }
 
@@ -179,7 +179,7 @@ std::optional<RasterAxes> read_axes(std::size_t rows, std::size_t columns, const
   find(AxisOf::image_rows, rows, axes.row_axis, axes.row_m);
   if (!find(AxisOf::columns, columns, axes.column_axis, axes.column_range_m)) return std::nullopt;
   // All of where the platform is, or nothing, as in files of older versions.
-  std::vector<simulate::RowPose> poses(rows);
+  std::vector<RowPose> poses(rows);
   for (const PoseAxis& axis : pose_axes) {
     const auto values = read(axis.name, rows, 3);
     if (!values) return axes;

@@ -15,7 +15,7 @@
 #include "raster/table/array_attributes.hpp"
 #include "raster/table/product_attributes.hpp"
 #include "raster/table/raster.hpp"
-#include "simulate/plan/sink.hpp"
+#include "raster/table/sink.hpp"
 
 namespace sarsim::raster {
 
@@ -58,8 +58,7 @@ inline constexpr const char* map_name = "utm";
 /// Describes a product, but for what nobody knows of it.
 /// @param option_words  of its options, each an attribute
 /// @param counts        the samples are counts of the converter
-[[nodiscard]] DescribedProduct describe(const simulate::Product& product, const FileAttributes& option_words,
-                                        bool counts);
+[[nodiscard]] DescribedProduct describe(const Product& product, const FileAttributes& option_words, bool counts);
 
 /// What is wrong with the attributes of the root of a file: a `format_version` of ours that is not known, or one that
 /// cannot be read and says LSB, sampling rate, bits or, in files of ours, processing is refused by its name. A problem

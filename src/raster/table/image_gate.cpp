@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
-#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/separated.hpp"
 #include "raster/table/file_problem.hpp"
 #include "raster/table/product_attributes.hpp"
 
@@ -20,15 +20,10 @@ namespace {
 
 // Three numbers, separated by commas.
 std::optional<std::array<double, 3>> vector_in(std::string_view text) {
-  std::array<double, 3> vector{};
-  for (std::size_t i = 0; i < vector.size(); ++i) {
-    const std::size_t comma = std::min(text.find(','), text.size());
-    const auto number = core::parse_number(core::trimmed(text.substr(0, comma)));
-    if (!number || !std::isfinite(*number) || (comma == text.size()) != (i + 1 == vector.size())) return std::nullopt;
-    vector[i] = *number;
-    text.remove_prefix(std::min(comma + 1, text.size()));
-  }
-  return vector;
+  const auto numbers = core::numbers_between_commas(text);
+  const auto is_finite = [](double number) { return std::isfinite(number); };
+  if (!numbers || numbers->size() != 3 || !std::ranges::all_of(*numbers, is_finite)) return std::nullopt;
+  return std::array<double, 3>{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
 }
 
 class ImageCheck {

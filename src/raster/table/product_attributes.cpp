@@ -1,7 +1,6 @@
 #include "raster/table/product_attributes.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <system_error>
 
 #include "core/text/number_text.hpp"
@@ -24,11 +23,9 @@ bool take_text(std::string text, std::string& value) {
 }
 
 bool take_whole(const std::string& text, std::uint64_t& value) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return false;
-  value = number;
-  return true;
+  const auto number = core::parse_whole(text);
+  if (number) value = *number;
+  return number.has_value();
 }
 
 bool take_number(const std::string& text, double& value) {
@@ -39,7 +36,7 @@ bool take_number(const std::string& text, double& value) {
 
 }  // namespace
 
-void take_origin(const FileAttributes& attributes, simulate::Product& product) {
+void take_origin(const FileAttributes& attributes, Product& product) {
   scene::RunOptions& options = product.options;
   const auto take = [&](const char* name, const auto& taker) {
     if (!taker(attribute_of(attributes, name))) product.unknown.emplace_back(name);

@@ -17,8 +17,8 @@
 #include "raster/table/image_places.hpp"
 #include "raster/table/image_value.hpp"
 #include "raster/table/image_window.hpp"
+#include "raster/table/sink.hpp"
 #include "raster/table/value_rule.hpp"
-#include "simulate/plan/sink.hpp"
 
 namespace sarsim::raster {
 
@@ -38,13 +38,13 @@ struct RasterInfo {
 
 /// The axes of a recording.
 struct RasterAxes {
-  std::vector<double> row_time_s;                ///< Send time of each row's (first) pulse.
-  std::vector<double> row_carrier_hz;            ///< Its carrier.
-  std::vector<double> column_range_m;            ///< One-way slant range of each column; of images `column_axis`.
-  std::vector<simulate::RowPose> row_pose = {};  ///< The radar's platform then; empty where the file does not say.
-  std::vector<double> row_m = {};                ///< Of images: place of each row, m; otherwise empty.
-  std::string row_axis = {};                     ///< Name of that axis, see simulate::ImageAxes.
-  std::string column_axis = "slant_range_m";     ///< Name of the axis of columns.
+  std::vector<double> row_time_s;             ///< Send time of each row's (first) pulse.
+  std::vector<double> row_carrier_hz;         ///< Its carrier.
+  std::vector<double> column_range_m;         ///< One-way slant range of each column; of images `column_axis`.
+  std::vector<RowPose> row_pose = {};         ///< The radar's platform then; empty where the file does not say.
+  std::vector<double> row_m = {};             ///< Of images: place of each row, m; otherwise empty.
+  std::string row_axis = {};                  ///< Name of that axis, see ImageAxes.
+  std::string column_axis = "slant_range_m";  ///< Name of the axis of columns.
 };
 
 /// A table of samples of any size: a file, or what is computed. Any part of it can be read at any spacing; only what a

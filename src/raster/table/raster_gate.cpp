@@ -108,11 +108,11 @@ class FactCheck {
            "numbers up to 1e15");
   }
 
-  void check_poses(const std::vector<simulate::RowPose>& poses) {
+  void check_poses(const std::vector<RowPose>& poses) {
     for (const PoseAxis& axis : pose_axes) {
       std::vector<double> values;
       values.reserve(3 * poses.size());
-      for (const simulate::RowPose& pose : poses)
+      for (const RowPose& pose : poses)
         for (const double value : pose.*axis.part) values.push_back(value);
       check_axis(axis.name, values);
     }

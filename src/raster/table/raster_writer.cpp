@@ -6,7 +6,7 @@
 
 namespace sarsim::raster {
 
-RasterWriter::RasterWriter(std::unique_ptr<simulate::Sink> sink, std::size_t columns, const radar::Converter& converter)
+RasterWriter::RasterWriter(std::unique_ptr<Sink> sink, std::size_t columns, const radar::Converter& converter)
     : sink_(std::move(sink)), columns_(columns), converter_(converter) {
   CORE_EXPECT(sink_ != nullptr);
   CORE_EXPECT(columns_ > 0);

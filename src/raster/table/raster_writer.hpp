@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "radar/receiver/converter.hpp"
-#include "simulate/plan/sink.hpp"
+#include "raster/table/sink.hpp"
 
 namespace sarsim::raster {
 
@@ -17,7 +17,7 @@ class RasterWriter {
  public:
   /// @param columns    samples of a row, at least 1
   /// @param converter  of the numbers as they are appended; not used where the sink takes volts
-  RasterWriter(std::unique_ptr<simulate::Sink> sink, std::size_t columns, const radar::Converter& converter);
+  RasterWriter(std::unique_ptr<Sink> sink, std::size_t columns, const radar::Converter& converter);
 
   /// Whether the numbers become counts.
   [[nodiscard]] bool wants_counts() const { return sink_->wants_counts(); }
@@ -28,10 +28,10 @@ class RasterWriter {
   /// What the conversion into counts met so far.
   [[nodiscard]] const radar::ConversionTally& tally() const { return tally_; }
   /// Completes the file with what is only known at the end; std::logic_error where rows are missing.
-  void finish(const simulate::RunReport& report) { sink_->finish(report); }
+  void finish(const RunReport& report) { sink_->finish(report); }
 
  private:
-  std::unique_ptr<simulate::Sink> sink_;
+  std::unique_ptr<Sink> sink_;
   std::size_t columns_;
   radar::Converter converter_;
   radar::ConversionTally tally_;

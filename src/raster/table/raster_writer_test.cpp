@@ -10,13 +10,13 @@ namespace raster_writer_test {
 using testing::ElementsAre;
 
 // Keeps what it is given.
-class KeepingSink final : public simulate::Sink {
+class KeepingSink final : public Sink {
  public:
   KeepingSink(bool counts, std::vector<double>& numbers, std::vector<std::size_t>& rows)
       : counts_(counts), numbers_(numbers), rows_(rows) {}
 
   [[nodiscard]] bool wants_counts() const override { return counts_; }
-  [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& block) const override {
+  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
     if (counts_)
       for (const std::int64_t count : block.counts) numbers_.push_back(static_cast<double>(count));
     else
@@ -27,7 +27,7 @@ class KeepingSink final : public simulate::Sink {
     EXPECT_EQ(bytes.size(), rows);
     rows_.insert(rows_.end(), {first_row, rows});
   }
-  void finish(const simulate::RunReport& report) override { numbers_.push_back(report.lsb_v); }
+  void finish(const RunReport& report) override { numbers_.push_back(report.lsb_v); }
 
  private:
   bool counts_;
@@ -56,7 +56,7 @@ TEST(RasterWriter, PassesNumbersOnWhereTheSinkTakesVolts) {
   RasterWriter writer(std::make_unique<KeepingSink>(false, numbers, rows), 2, {8, 0.5});
   EXPECT_FALSE(writer.wants_counts());
   writer.append(std::array<std::complex<double>, 2>{{{1.25, -1.0}, {0.0, 0.1}}});
-  simulate::RunReport report;
+  RunReport report;
   report.lsb_v = 7.0;
   writer.finish(report);
   EXPECT_THAT(numbers, ElementsAre(1.25, -1.0, 0.0, 0.1, 7.0));

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/report/problem.hpp"
-#include "simulate/plan/sink.hpp"
+#include "raster/table/sink.hpp"
 
 namespace sarsim::raster {
 
@@ -21,7 +21,7 @@ struct StoredArray {
   std::vector<std::uint64_t> shape = {};     ///< At least one size.
   std::vector<std::string> dimensions = {};  ///< A name for each.
   std::uint64_t offset = 0;                  ///< Where it begins in the file.
-  simulate::Facts facts = {};                ///< Units and what else is said of it.
+  Facts facts = {};                          ///< Units and what else is said of it.
   std::vector<std::string> words = {};  ///< Letters that it holds instead of numbers; they stand nowhere in the file.
   std::vector<double> numbers = {};     ///< Numbers ("<f8") that stand nowhere in the file.
 

@@ -84,7 +84,7 @@ void check_time_bandwidth(Findings& findings, const Radar& radar) {
 // Where the half power of sin(x)/x is: x = 1.39156, of the amplitude.
 void check_beamwidth(Findings& findings, std::string_view field, std::string_view cut, double width_deg) {
   if (!(width_deg > widest_beam_deg)) return;
-  const double half = 1.391557 / (0.88 * core::pi) * width_deg * core::pi / 180.0;
+  const double half = 1.391557 / (0.88 * core::pi) * width_deg * core::rad_per_deg;
   findings.warning(
       Consequence::surprise, field,
       {.message = fmt::format("the {} beamwidth is too wide for a sin(x)/x beam", cut),
@@ -92,7 +92,7 @@ void check_beamwidth(Findings& findings, std::string_view field, std::string_vie
        .expected = fmt::format("{:.0f} deg or less", widest_beam_deg),
        .hint = half < 1.0 ? fmt::format("The beam's half-power width would be {:.1f} degrees, and nothing is "
                                         "radiated beyond 90 degrees. Give such a beam by points (OTHER).",
-                                        2.0 * std::asin(half) * 180.0 / core::pi)
+                                        core::deg_per_rad * 2.0 * std::asin(half))
                           : fmt::format("The beam never falls to half power: it ends at 90 degrees, {:.1f} dB below "
                                         "its peak. Give such a beam by points (OTHER), or take ISOTROPIC.",
                                         -20.0 * std::log10(std::sin(1.391557 / half) / (1.391557 / half)))});
@@ -105,7 +105,7 @@ void check_narrow_beam(Findings& findings, std::string_view field, std::string_v
   constexpr double longest_sky_wave_m = 6.0;
   const double longest_antenna_m = wavelength_m > longest_sky_wave_m ? 3000.0 : 100.0;
   if (!(width_deg > 0.0)) return;
-  const double length_m = 0.886 * wavelength_m / (width_deg * core::pi / 180.0);
+  const double length_m = 0.886 * wavelength_m / (width_deg * core::rad_per_deg);
   if (!(length_m > longest_antenna_m)) return;
   findings.warning(Consequence::surprise, field,
                    {.message = fmt::format("the {} beamwidth needs an antenna {:.3g} m long", cut, length_m),

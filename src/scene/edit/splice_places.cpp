@@ -11,8 +11,6 @@ namespace {
 
 constexpr char end_of_file_mark = 0x1A;
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-bool is_separator(char c) { return is_blank(c) || c == ',' || c == '\r' || c == '\n'; }
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
 
 // Gives each token of a text to `visit`, with its place.
@@ -33,7 +31,7 @@ void visit_tokens(std::string_view text, Visit visit) {
       // The word may stand apart from its `$`, and that may be repeated.
       for (std::size_t i = at.begin; i > previous_end; --i) {
         const char c = text[i - 1];
-        if (c == line_end || (c != '$' && !is_separator(c))) break;
+        if (c == line_end || (c != '$' && !script::is_separator(c))) break;
         if (c == '$') at.begin = i - 1;
       }
     }
@@ -120,7 +118,7 @@ std::size_t behind_line(std::string_view text, std::size_t at) {
 }
 
 bool is_first_on_line(std::string_view text, std::size_t at) {
-  while (at > 0 && is_blank(text[at - 1])) --at;
+  while (at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\t')) --at;
   return at == 0 || ends_line(text[at - 1]);
 }
 

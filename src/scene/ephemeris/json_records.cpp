@@ -4,8 +4,8 @@
 #include <charconv>
 
 #include "core/text/letters.hpp"
+#include "core/text/utf8.hpp"
 #include "scene/ephemeris/text_lines.hpp"
-#include "scene/ephemeris/xml_scan.hpp"
 
 namespace sarsim::scene::ephemeris {
 
@@ -30,7 +30,7 @@ bool JsonRecords::take(char c) {
   return true;
 }
 
-bool JsonRecords::take_code(unsigned long& code) {
+bool JsonRecords::take_code(std::uint32_t& code) {
   if (rest_.size() < 4) return false;
   const auto [stop, error] = std::from_chars(rest_.data(), rest_.data() + 4, code, 16);
   if (error != std::errc{} || stop != rest_.data() + 4) return false;
@@ -49,15 +49,17 @@ bool JsonRecords::take_escape(std::string& value) {
     value += characters[i];
     return true;
   }
-  unsigned long code = 0;
+  std::uint32_t code = 0;
   if (letter != 'u' || !take_code(code)) return false;
   if (code >= 0xD800 && code < 0xDC00 && rest_.starts_with("\\u")) {
-    unsigned long low = 0;
+    std::uint32_t low = 0;
     rest_.remove_prefix(2);
     if (!take_code(low) || low < 0xDC00 || low >= 0xE000) return false;
     code = 0x10000 + ((code - 0xD800) << 10U) + (low - 0xDC00);
   }
-  return append_utf8(value, code);
+  if (!core::is_character(code)) return false;
+  core::append_utf8(value, code);
+  return true;
 }
 
 bool JsonRecords::take_string(std::string& value) {

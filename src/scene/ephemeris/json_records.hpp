@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -43,7 +44,7 @@ class JsonRecords {
   [[nodiscard]] bool take(char c);
   [[nodiscard]] bool take_string(std::string& value);
   [[nodiscard]] bool take_escape(std::string& value);
-  [[nodiscard]] bool take_code(unsigned long& code);
+  [[nodiscard]] bool take_code(std::uint32_t& code);
   [[nodiscard]] bool take_value();
   [[nodiscard]] bool take_nested();
   [[nodiscard]] JsonEvent open_object();

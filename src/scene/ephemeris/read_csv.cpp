@@ -7,6 +7,7 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/separated.hpp"
 #include "scene/ephemeris/formats.hpp"
 #include "scene/ephemeris/known_words.hpp"
 #include "scene/ephemeris/state_collector.hpp"
@@ -29,11 +30,10 @@ char csv_separator(std::string_view line) {
 std::size_t split_cells(std::string_view line, char separator, CsvCells& cells) {
   if (separator == ' ') return split_words(line, cells);
   std::size_t count = 0;
-  for (std::size_t at = 0; at <= line.size(); ++count) {
-    const std::size_t end = std::min(line.find(separator, at), line.size());
-    if (count < cells.size()) cells[count] = core::trimmed(line.substr(at, end - at));
-    at = end + 1;
-  }
+  core::each_piece(line, separator, [&](std::string_view cell) {
+    if (count < cells.size()) cells[count] = cell;
+    ++count;
+  });
   return count;
 }
 
@@ -42,8 +42,7 @@ bool is_column(std::size_t column, std::string_view name) {
   constexpr std::array<std::string_view, max_columns> names{"t", "x", "y", "z", "vx", "vy", "vz"};
   std::string plain;
   for (const char c : name.substr(0, 40))
-    if (core::is_digit(c) || (core::lower(c) >= 'a' && core::lower(c) <= 'z') || c == '_' || c == '/')
-      plain += core::lower(c);
+    if (core::is_digit(c) || core::is_letter(c) || c == '_' || c == '/') plain += core::lower(c);
   std::string_view unit = plain;
   if (column == 0) {
     const bool other = plain == "time" || plain == "utc" || plain == "epoch" || plain == "time_s" || plain == "times";

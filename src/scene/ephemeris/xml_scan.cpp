@@ -2,9 +2,11 @@
 
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <utility>
 
 #include "core/text/letters.hpp"
+#include "core/text/utf8.hpp"
 #include "scene/ephemeris/text_lines.hpp"
 
 namespace sarsim::scene::ephemeris {
@@ -150,23 +152,6 @@ std::string_view XmlScan::attribute(std::string_view attribute_name) const {
   return {};
 }
 
-bool append_utf8(std::string& text, unsigned long character) {
-  const bool surrogate = character >= 0xD800 && character < 0xE000;
-  if (character == 0 || character > 0x10FFFF || surrogate) return false;
-  const auto add = [&](unsigned long byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
-  const auto add_rest = [&](unsigned shift) { add(0x80U | ((character >> shift) & 0x3FU)); };
-  if (character < 0x80) {
-    add(character);
-  } else if (character < 0x800) {
-    add(0xC0U | (character >> 6U)), add_rest(0);
-  } else if (character < 0x10000) {
-    add(0xE0U | (character >> 12U)), add_rest(6), add_rest(0);
-  } else {
-    add(0xF0U | (character >> 18U)), add_rest(12), add_rest(6), add_rest(0);
-  }
-  return true;
-}
-
 std::optional<std::string> without_entities(std::string_view text) {
   constexpr std::array<std::pair<std::string_view, char>, 5> named{
       {{"amp", '&'}, {"lt", '<'}, {"gt", '>'}, {"quot", '"'}, {"apos", '\''}}};
@@ -182,10 +167,11 @@ std::optional<std::string> without_entities(std::string_view text) {
     if (entity.starts_with('#')) {
       const bool hex = entity.starts_with("#x");
       entity.remove_prefix(hex ? 2 : 1);
-      unsigned long number = 0;
+      std::uint32_t number = 0;
       const auto [stop, error] = std::from_chars(entity.data(), entity.data() + entity.size(), number, hex ? 16 : 10);
-      if (error != std::errc{} || stop != entity.data() + entity.size() || !append_utf8(plain, number))
+      if (error != std::errc{} || stop != entity.data() + entity.size() || !core::is_character(number))
         return std::nullopt;
+      core::append_utf8(plain, number);
       continue;
     }
     bool known = false;

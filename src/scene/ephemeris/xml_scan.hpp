@@ -65,7 +65,4 @@ class XmlScan {
 /// A text with its entities replaced: the five of XML and numbers of characters. Nothing where one is not known.
 [[nodiscard]] std::optional<std::string> without_entities(std::string_view text);
 
-/// Adds a character to a text of UTF-8; false for a number that is no character.
-[[nodiscard]] bool append_utf8(std::string& text, unsigned long character);
-
 }  // namespace sarsim::scene::ephemeris

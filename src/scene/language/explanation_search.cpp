@@ -14,9 +14,8 @@ constexpr int whole_alias = 5;
 constexpr int begins_alias = 3;
 constexpr int in_meaning = 1;
 
-bool is_letter(char c) {
-  return core::is_digit(c) || (core::lower(c) >= 'a' && core::lower(c) <= 'z') ||
-         static_cast<unsigned char>(c) >= 0x80U;
+bool is_word_letter(char c) {
+  return core::is_digit(c) || core::is_letter(c) || static_cast<unsigned char>(c) >= 0x80U;
 }
 
 // In small letters.
@@ -24,11 +23,11 @@ std::vector<std::string> words_in(std::string_view text) {
   std::vector<std::string> words;
   bool within = false;
   for (const char c : text) {
-    if (is_letter(c)) {
+    if (is_word_letter(c)) {
       if (!within) words.emplace_back();
       words.back() += core::lower(c);
     }
-    within = is_letter(c);
+    within = is_word_letter(c);
   }
   return words;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/text/utf8.hpp"
 #include "core/toml/values.hpp"
 
 namespace sarsim::scene::language {
@@ -24,13 +25,6 @@ std::optional<unsigned> hex_digits(std::string_view text, std::size_t at) {
   const auto [end, failure] = std::from_chars(begin, begin + 4, value, 16);
   if (failure != std::errc() || end != begin + 4) return std::nullopt;
   return value;
-}
-
-void append_utf8(std::string& text, unsigned code) {
-  for (const unsigned shift : {18U, 12U, 6U, 0U}) {
-    const unsigned bits = code >> shift;
-    text += static_cast<char>(shift == 18U ? 0xF0U | bits : 0x80U | (bits & 0x3FU));
-  }
 }
 
 // Writes JSON as TOML, byte for byte.
@@ -112,7 +106,7 @@ class Writer {
     const bool is_pair = high && (*high & 0xFC00U) == 0xD800U && json_.substr(at + 6, 2) == "\\u";
     const auto low = is_pair ? hex_digits(json_, at + 8) : std::nullopt;
     if (low && (*low & 0xFC00U) == 0xDC00U) {
-      append_utf8(text, 0x10000U + ((*high & 0x3FFU) << 10U) + (*low & 0x3FFU));
+      core::append_utf8(text, 0x10000U + ((*high & 0x3FFU) << 10U) + (*low & 0x3FFU));
       return 12;
     }
     text += json_.substr(at, 2);

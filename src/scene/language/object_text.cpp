@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/text/letters.hpp"
 #include "core/toml/values.hpp"
 
 namespace sarsim::scene::language {
@@ -11,9 +12,8 @@ namespace toml = core::toml;
 namespace {
 
 bool is_bare(std::string_view key) {
-  return std::ranges::all_of(key, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
+  return std::ranges::all_of(key,
+                             [](char c) { return core::is_letter(c) || core::is_digit(c) || c == '_' || c == '-'; });
 }
 
 }  // namespace

@@ -57,9 +57,7 @@ const std::vector<Spelling>& words_of_format_2() {
   return all;
 }
 
-bool is_word_letter(char c) {
-  return c == '_' || core::is_digit(c) || (core::lower(c) >= 'a' && core::lower(c) <= 'z');
-}
+bool is_word_letter(char c) { return c == '_' || core::is_digit(c) || core::is_letter(c); }
 
 // A word in those of format 2; itself where it has no other.
 std::string_view word_in_format_2(std::string_view word) {

@@ -1,7 +1,6 @@
 #include "scene/schema/field_form.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 
 #include <fmt/format.h>
@@ -179,12 +178,11 @@ std::string set_number(const FieldSpec& spec, double& value, std::string_view te
 std::string set_seed(std::uint64_t& value, std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first != std::string_view::npos) text = text.substr(first, text.find_last_not_of(" \t") - first + 1);
-  std::uint64_t seed = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  if (error != std::errc{} || end != text.data() + text.size())
+  const auto seed = core::parse_whole(text);
+  if (!seed)
     return fmt::format("'{}' is not a valid seed; expected a whole number, 0 to 18446744073709551615",
                        text.substr(0, 60));
-  value = seed;
+  value = *seed;
   return {};
 }
 

@@ -11,9 +11,7 @@
 namespace sarsim::scene {
 
 /// Whether a word can begin with a character: a letter or an underscore.
-[[nodiscard]] constexpr bool begins_word(char c) {
-  return c == '_' || (core::lower(c) >= 'a' && core::lower(c) <= 'z');
-}
+[[nodiscard]] constexpr bool begins_word(char c) { return c == '_' || core::is_letter(c); }
 /// Whether a number without a sign can.
 [[nodiscard]] constexpr bool begins_number(char c) { return core::is_digit(c) || c == '.'; }
 

@@ -1,7 +1,6 @@
 #include "scene/script/field_reader.hpp"
 
 #include <array>
-#include <charconv>
 #include <span>
 #include <stdexcept>
 
@@ -139,11 +138,8 @@ void FieldReader::seed(const Field& field, std::uint64_t& value) {
   if (!number_follows(field, "a whole number")) return;
   const Token token = take(field);
   note_place(field, token);
-  const char* const end = token.text.data() + token.text.size();
-  std::uint64_t read = 0;
-  const auto [stop, error] = std::from_chars(token.text.data(), end, read);
-  if (error == std::errc{} && stop == end)
-    value = read;
+  if (const auto read = core::parse_whole(token.text))
+    value = *read;
   else
     reporter_.error(
         token, field.member,

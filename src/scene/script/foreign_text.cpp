@@ -10,6 +10,7 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/separated.hpp"
 #include "scene/model/scene.hpp"
 
 namespace sarsim::scene {
@@ -107,9 +108,7 @@ double share_of(const std::vector<std::string_view>& lines, const Test& test) {
          static_cast<double>(std::max<std::size_t>(lines.size(), 1));
 }
 
-bool is_name_letter(char c) {
-  return core::is_digit(c) || (core::lower(c) >= 'a' && core::lower(c) <= 'z') || c == '_' || c == '-' || c == '.';
-}
+bool is_name_letter(char c) { return core::is_digit(c) || core::is_letter(c) || c == '_' || c == '-' || c == '.'; }
 
 // "key: value", "- item" or a comment.
 bool is_yaml_line(std::string_view line) {
@@ -122,14 +121,9 @@ bool is_yaml_line(std::string_view line) {
 }
 
 bool is_number_list(std::string_view line, char separator, std::size_t& columns) {
-  columns = 0;
-  while (true) {
-    const std::size_t end = std::min(line.find(separator), line.size());
-    if (!core::parse_number(core::trimmed(line.substr(0, end)))) return false;
-    ++columns;
-    if (end == line.size()) return true;
-    line.remove_prefix(end + 1);
-  }
+  const std::vector<std::string_view> pieces = core::pieces_of(line, separator);
+  columns = pieces.size();
+  return std::ranges::all_of(pieces, [](std::string_view piece) { return core::parse_number(piece).has_value(); });
 }
 
 // A table: most lines are numbers, as many in each. The first one may be a title.

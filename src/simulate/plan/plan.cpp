@@ -29,8 +29,8 @@ Plan make_plan(const scene::Scene& scene, std::size_t index, std::shared_ptr<con
   return plan_of(acquisition_of(scene, index, std::move(resolved), stop), engine, stop);
 }
 
-Product product_of(const Plan& plan, std::string script) {
-  Product product = product_of(plan.acquisition, std::move(script));
+raster::Product product_of(const Plan& plan, std::string script) {
+  raster::Product product = product_of(plan.acquisition, std::move(script));
   product.engine = name_of(plan.engine.engine);
   return product;
 }

@@ -44,7 +44,7 @@ struct Plan {
 
 /// The description of a plan's product that goes into its file.
 /// @param script  text of the scene as understood
-[[nodiscard]] Product product_of(const Plan& plan, std::string script);
+[[nodiscard]] raster::Product product_of(const Plan& plan, std::string script);
 
 /// Rough cost of a plan, for people who want to know before it runs.
 struct Cost {

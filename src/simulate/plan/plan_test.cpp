@@ -269,13 +269,13 @@ TEST(Plan, RefusesEmptyWindowsAndUnknownRadars) {
 TEST(Product, DescribesTheAxesOfTheRecording) {
   scene::Scene scene = stepped_scene();
   scene.simulations[0].time_end_s = 0.047;
-  const Product srp = product_of(make_plan(scene, 0), "text");
+  const raster::Product srp = product_of(make_plan(scene, 0), "text");
   EXPECT_EQ(srp.rows, 2u);
   EXPECT_EQ(srp.row_time_s(1), 0.024);
   EXPECT_EQ(srp.row_carrier_hz(1), 1e9);
   scene.simulations[0].processing = scene::Processing::raw;
   scene.simulations[0].time_start_s = -0.001;
-  const Product raw = product_of(make_plan(scene, 0), "text");
+  const raster::Product raw = product_of(make_plan(scene, 0), "text");
   EXPECT_EQ(raw.rows, 49u);
   EXPECT_EQ(raw.row_time_s(0), -0.001);
   EXPECT_EQ(raw.row_carrier_hz(0), 1e9 + 7 * 2e6);
@@ -291,10 +291,10 @@ TEST(Product, SaysWhereTheRadarIs) {
   plane.rotation_stddev = {};
   plane.rotation_rate[2] = core::Angle::from_deg(3.0);
   scene.simulations = {flight_recording(0.0, scene::FileFormat::hdf5)};
-  const Product product = product_of(make_plan(scene, 0), "text");
+  const raster::Product product = product_of(make_plan(scene, 0), "text");
   for (const std::size_t row : {std::size_t{0}, product.rows - 1}) {
     const double time_s = product.row_time_s(row);
-    const RowPose pose = product.row_pose(row);
+    const raster::RowPose pose = product.row_pose(row);
     EXPECT_NEAR(pose.position_m[0], 120.0 * time_s, 1e-9);
     EXPECT_NEAR(pose.position_m[1], -2000.0, 1e-9);
     EXPECT_NEAR(pose.position_m[2], 1000.0 + 10.0 * time_s, 1e-9);

@@ -11,17 +11,17 @@ namespace sarsim::simulate {
 namespace {
 
 // What files hold of a pose.
-RowPose row_pose(const radar::Pose& pose) {
+raster::RowPose row_pose(const radar::Pose& pose) {
   const auto numbers = [](const core::Vec3& v) { return std::array{v.x, v.y, v.z}; };
   return {numbers(pose.position_world_m), numbers(pose.velocity_world_mps), pose.rotation_rad};
 }
 
 }  // namespace
 
-Product product_of(const Acquisition& acquisition, std::string script) {
+raster::Product product_of(const Acquisition& acquisition, std::string script) {
   CORE_EXPECT(acquisition.scene != nullptr);
   CORE_EXPECT(acquisition.reception.column_range_m.size() == acquisition.reception.columns);
-  Product product;
+  raster::Product product;
   product.radar = acquisition.link.name;
   product.processing = acquisition.simulation.processing;
   product.rows = acquisition.timing.rows;

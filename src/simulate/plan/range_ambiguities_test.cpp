@@ -52,7 +52,7 @@ std::vector<std::int64_t> pulses_back(const scene::Scene& scene) {
 }
 
 std::vector<std::complex<double>> recorded(const scene::Scene& scene, Engine engine) {
-  RunControl control;
+  raster::RunControl control;
   control.threads = 1;
   return record(make_plan(scene, 0, nullptr, engine), control).samples;
 }

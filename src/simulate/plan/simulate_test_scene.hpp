@@ -68,7 +68,7 @@ inline double equation_amplitude(double distance_m, double rcs_m2, double wavele
 }
 
 inline std::vector<std::complex<double>> samples_of(const scene::Scene& scene) {
-  RunControl control;
+  raster::RunControl control;
   control.threads = 1;
   return record(make_plan(scene, 0), control).samples;
 }

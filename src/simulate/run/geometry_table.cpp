@@ -14,6 +14,7 @@
 #include "core/maths/constants.hpp"
 #include "core/report/expect.hpp"
 #include "core/report/problem.hpp"
+#include "core/text/csv.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "scene/model/world_frame.hpp"
@@ -203,20 +204,12 @@ struct WorldColumns {
   std::optional<radar::Instant> epoch;
 };
 
-// A name as part of a CSV field: quoted where it would break the line.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 void put_csv_header(PieceWriter& out, const TablePulses& pulses, const WorldColumns& world) {
   out.put("pulse,time_s{},carrier_hz", world.epoch ? ",utc" : "");
   for (std::size_t i = 0; i < pulses.platforms(); ++i) {
     const auto put = [&](std::initializer_list<const char*> quantities) {
       for (const char* quantity : quantities)
-        out.put(",{}", csv_field(fmt::format("{} {}", pulses.platform_name(i), quantity)));
+        out.put(",{}", core::csv_cell(fmt::format("{} {}", pulses.platform_name(i), quantity)));
     };
     put({"x_m", "y_m", "z_m"});
     if (world.earth) put({"latitude_deg", "longitude_deg", "height_m"});

@@ -51,7 +51,7 @@ scene::Scene orbit_scene(double carrier_hz, const core::Vec3& velocity_mps) {
 }
 
 Row recorded(const Plan& plan, unsigned threads = 1) {
-  RunControl control;
+  raster::RunControl control;
   control.threads = threads;
   return record(plan, control).samples;
 }

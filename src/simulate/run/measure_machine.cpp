@@ -66,10 +66,10 @@ scene::Scene scene_of(const Trial& trial, int rows) {
 }
 
 // Takes the samples as counts, makes bytes of them as files of counts do, and forgets them.
-class Nowhere : public Sink {
+class Nowhere : public raster::Sink {
  public:
   [[nodiscard]] bool wants_counts() const override { return true; }
-  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
+  [[nodiscard]] std::vector<std::byte> encode(const raster::Block& block) const override {
     std::vector<std::byte> bytes(block.counts.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) {
       if (block.counts[i] > 128) throw std::logic_error("a count of 8 bits is beyond them");
@@ -78,7 +78,7 @@ class Nowhere : public Sink {
     return bytes;
   }
   void append(std::span<const std::byte>, std::size_t, std::size_t) override {}
-  void finish(const RunReport&) override {}
+  void finish(const raster::RunReport&) override {}
 };
 
 // Processor time does not count what else the machine does, nor wall time what else this process does: the less of

@@ -4,24 +4,24 @@
 #include <cstring>
 #include <vector>
 
-#include "simulate/plan/sink.hpp"
+#include "raster/table/sink.hpp"
 
 namespace sarsim::simulate {
 
 /// A recording in memory: rows one after the other, in volts.
 struct Recording {
   std::vector<std::complex<double>> samples;
-  RunReport report;
+  raster::RunReport report;
 };
 
 /// Collects a recording in memory: for programs that go on computing with it, and for tests.
-class MemorySink : public Sink {
+class MemorySink : public raster::Sink {
  public:
   /// Keeps a reference.
   explicit MemorySink(Recording& recording) : recording_(&recording) {}
 
   [[nodiscard]] bool wants_counts() const override { return false; }
-  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
+  [[nodiscard]] std::vector<std::byte> encode(const raster::Block& block) const override {
     const auto bytes = std::as_bytes(block.volts);
     return {bytes.begin(), bytes.end()};
   }
@@ -31,7 +31,7 @@ class MemorySink : public Sink {
     samples.resize(old + bytes.size() / sizeof(std::complex<double>));
     if (!bytes.empty()) std::memcpy(samples.data() + old, bytes.data(), bytes.size());
   }
-  void finish(const RunReport& report) override { recording_->report = report; }
+  void finish(const raster::RunReport& report) override { recording_->report = report; }
 
  private:
   Recording* recording_;

@@ -156,7 +156,7 @@ TEST(Derived, LargestEchoIsWhatACompressedRunFinds) {
     const Acquisition& acquisition = plan.acquisition;
     Recording recording;
     MemorySink sink(recording);
-    const RunReport report = run(plan, 0.0, sink, {.threads = 1, .stop = nullptr, .progress = {}});
+    const raster::RunReport report = run(plan, 0.0, sink, {.threads = 1, .stop = nullptr, .progress = {}});
     const SimulationFigures f = simulation_figures(acquisition, survey_echoes(acquisition));
     // Edge samples of the pulse may differ by one of 500.
     EXPECT_NEAR(f.largest_echo_v, report.maximum_v, report.maximum_v / 400.0) << static_cast<int>(profile);

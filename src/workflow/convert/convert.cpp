@@ -48,9 +48,9 @@ std::optional<scene::FileFormat> output_format(const ConvertRequest& request, bo
 }
 
 // The description of the recording as far as its file gives it.
-simulate::Product product_of_file(const raster::Raster& file, std::optional<raster::RasterAxes> axes) {
+raster::Product product_of_file(const raster::Raster& file, std::optional<raster::RasterAxes> axes) {
   const raster::RasterInfo& info = file.info();
-  simulate::Product product;
+  raster::Product product;
   product.rows = file.rows();
   product.columns = info.columns;
   product.bits = info.bits;
@@ -134,8 +134,7 @@ class Conversion {
   }
 
   ConvertReport carry_out() {
-    const std::unique_ptr<simulate::Sink> sink = envi_
-                                                     ? make_pixel_sink(request_.output, *header_.copy, options_.replace)
+    const std::unique_ptr<raster::Sink> sink = envi_ ? make_pixel_sink(request_.output, *header_.copy, options_.replace)
                                                      : raster::make_sink(request_.output, product_, options_);
     const std::unique_ptr<core::OutputFile> header = begun_header();
     const core::ProgressReport progress = observer_.stage(request_.output);
@@ -285,8 +284,8 @@ class Conversion {
     return report;
   }
 
-  [[nodiscard]] simulate::RunReport run_report() const {
-    simulate::RunReport report;
+  [[nodiscard]] raster::RunReport run_report() const {
+    raster::RunReport report;
     report.rows = product_.rows;
     report.columns = product_.columns;
     report.lsb_v = product_.lsb_v;
@@ -294,7 +293,7 @@ class Conversion {
   }
 
   const raster::Raster& file_;
-  simulate::Product product_;
+  raster::Product product_;
   const ConvertRequest& request_;
   const core::Observer& observer_;
   raster::SinkOptions options_;

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-class PixelSink final : public simulate::Sink {
+class PixelSink final : public raster::Sink {
  public:
   PixelSink(const fs::path& path, const raster::EnviHeader& header, bool replace)
       : complex_(header.pixel == raster::EnviHeader::Pixel::complex_float),
@@ -27,7 +27,7 @@ class PixelSink final : public simulate::Sink {
         file_(path, replace) {}
 
   [[nodiscard]] bool wants_counts() const override { return false; }
-  [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& block) const override {
+  [[nodiscard]] std::vector<std::byte> encode(const raster::Block& block) const override {
     std::vector<float> parts;
     parts.reserve((complex_ ? 2 : 1) * block.volts.size());
     for (const std::complex<double> value : block.volts) {
@@ -42,7 +42,7 @@ class PixelSink final : public simulate::Sink {
     file_.write(bytes);
     done_ += rows;
   }
-  void finish(const simulate::RunReport&) override {
+  void finish(const raster::RunReport&) override {
     if (done_ != lines_) throw std::logic_error("rows of this image are missing");
     file_.commit();
   }
@@ -96,7 +96,7 @@ bool is_of_magnitudes(const raster::EnviHeader& header) {
   return header.pixel == raster::EnviHeader::Pixel::real_float && header.field("image plane");
 }
 
-std::unique_ptr<simulate::Sink> make_pixel_sink(const fs::path& path, const raster::EnviHeader& header, bool replace) {
+std::unique_ptr<raster::Sink> make_pixel_sink(const fs::path& path, const raster::EnviHeader& header, bool replace) {
   return std::make_unique<PixelSink>(path, header, replace);
 }
 

@@ -6,7 +6,7 @@
 
 #include "raster/format/envi.hpp"
 #include "raster/table/raster.hpp"
-#include "simulate/plan/sink.hpp"
+#include "raster/table/sink.hpp"
 
 namespace sarsim::workflow {
 
@@ -30,7 +30,7 @@ namespace sarsim::workflow {
 [[nodiscard]] bool is_of_magnitudes(const raster::EnviHeader& header);
 
 /// The pixels of an ENVI image without its header; rows are given in volts. Throws like OutputFile.
-[[nodiscard]] std::unique_ptr<simulate::Sink> make_pixel_sink(const std::filesystem::path& path,
-                                                              const raster::EnviHeader& header, bool replace);
+[[nodiscard]] std::unique_ptr<raster::Sink> make_pixel_sink(const std::filesystem::path& path,
+                                                            const raster::EnviHeader& header, bool replace);
 
 }  // namespace sarsim::workflow

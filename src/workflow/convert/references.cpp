@@ -65,7 +65,7 @@ void put_sizes(core::JsonWriter& json, const char* name, const std::vector<Numbe
   json.end_array();
 }
 
-void put_fact(core::JsonWriter& json, const std::string& name, const simulate::FactValue& value) {
+void put_fact(core::JsonWriter& json, const std::string& name, const raster::FactValue& value) {
   std::visit([&](const auto& v) { json.member(name, v); }, value);
 }
 
@@ -181,7 +181,7 @@ core::InputFile opened(const std::string& path) {
 void add_axes(std::vector<raster::StoredArray>& arrays, const simulate::Acquisition& acquisition) {
   std::vector<double> times;
   std::vector<double> carriers;
-  const simulate::Product product = simulate::product_of(acquisition, {});
+  const raster::Product product = simulate::product_of(acquisition, {});
   for (std::size_t row = 0; row < acquisition.timing.rows; ++row) {
     times.push_back(product.row_time_s(row));
     carriers.push_back(product.row_carrier_hz(row));

@@ -8,7 +8,7 @@
 
 #include "core/report/invalid_request.hpp"
 #include "core/task/worker_pool.hpp"
-#include "core/text/number_text.hpp"
+#include "core/text/separated.hpp"
 #include "simulate/run/computed_rows.hpp"
 #include "workflow/focus/sar_rows.hpp"
 #include "workflow/input/earth_place.hpp"
@@ -18,24 +18,11 @@ namespace sarsim::workflow {
 namespace {
 
 std::vector<double> numbers_of(const std::string& text, std::size_t count, const char* option, const char* expected) {
-  std::vector<double> numbers;
-  std::string_view rest = text;
-  bool good = true;
-  for (bool more = true; more && good;) {
-    const std::size_t comma = rest.find(',');
-    more = comma != std::string_view::npos;
-    std::string_view word = rest.substr(0, comma);
-    while (word.starts_with(' ')) word.remove_prefix(1);
-    while (word.ends_with(' ')) word.remove_suffix(1);
-    const auto value = core::parse_number(word);
-    good = value.has_value();
-    numbers.push_back(value.value_or(0.0));
-    rest.remove_prefix(more ? comma + 1 : rest.size());
-  }
-  if (!good || numbers.size() != count)
+  const auto numbers = core::numbers_between_commas(text);
+  if (!numbers || numbers->size() != count)
     throw core::InvalidRequest(
         {core::problem_of(core::Severity::error, fmt::format("{} is malformed", option), text, expected, {})});
-  return numbers;
+  return *numbers;
 }
 
 void expect_exchangeable(const simulate::Acquisition& acquisition, core::Problems& problems) {

@@ -10,8 +10,6 @@ namespace sarsim::workflow {
 
 namespace {
 
-constexpr double degrees = 180.0 / core::pi;
-
 core::Vec3 unit(const core::Vec3& v) {
   const double length = core::norm(v);
   return length > 0.0 ? (1.0 / length) * v : core::Vec3{};
@@ -21,7 +19,7 @@ double safe_acos(double x) { return std::acos(std::clamp(x, -1.0, 1.0)); }
 double safe_asin(double x) { return std::asin(std::clamp(x, -1.0, 1.0)); }
 
 double turn_deg(double y, double x) {
-  const double angle = degrees * std::atan2(y, x);
+  const double angle = core::deg_per_rad * std::atan2(y, x);
   return angle < 0.0 ? angle + 360.0 : angle;
 }
 
@@ -45,8 +43,8 @@ struct LocalAxes {
 // Twist, slope and layover of an image plane with that normal.
 void put_image_plane(const core::Vec3& normal, const core::Vec3& ground_y, const LocalAxes& axes,
                      raster::ReferenceGeometry& g) {
-  g.twist_deg = -degrees * safe_asin(core::dot(normal, ground_y));
-  g.slope_deg = degrees * safe_acos(core::dot(axes.up, normal));
+  g.twist_deg = -core::deg_per_rad * safe_asin(core::dot(normal, ground_y));
+  g.slope_deg = core::deg_per_rad * safe_acos(core::dot(axes.up, normal));
   g.layover_deg = axes.azimuth_deg(-normal);
 }
 
@@ -76,18 +74,18 @@ void put_bistatic(const raster::PhaseVector& v, const LocalAxes& axes, raster::R
   const core::Vec3 rate = 0.5 * (out.rate + back.rate);
   const double length = core::norm(bisector);
   const double angle = 2.0 * safe_acos(length);
-  g.bistatic_deg = degrees * angle;
+  g.bistatic_deg = core::deg_per_rad * angle;
   if (length > 0.0 && std::sin(angle) > 0.0)
-    g.bistatic_rate_deg_per_s = -degrees * 4.0 * core::dot(bisector, rate) / std::sin(angle);
+    g.bistatic_rate_deg_per_s = -core::deg_per_rad * 4.0 * core::dot(bisector, rate) / std::sin(angle);
   const double above = core::dot(bisector, axes.up);
   const core::Vec3 level = bisector - above * axes.up;
   const double along = core::norm(level);
   if (along == 0.0) return;
   const core::Vec3 ground_y = core::cross(axes.up, unit(level));
-  g.graze_deg = degrees * std::atan2(above, along);
+  g.graze_deg = core::deg_per_rad * std::atan2(above, along);
   g.azimuth_deg = axes.azimuth_deg(level);
   const double turning = core::dot(rate, ground_y);
-  g.azimuth_rate_deg_per_s = -degrees * turning / along;
+  g.azimuth_rate_deg_per_s = -core::deg_per_rad * turning / along;
   if (turning == 0.0) return;
   const core::Vec3 across = rate - (core::dot(rate, bisector) / (length * length)) * bisector;
   put_image_plane(unit((turning > 0.0 ? 1.0 : -1.0) * core::cross(bisector, across)), ground_y, axes, g);
@@ -111,10 +109,10 @@ raster::PlatformGeometry platform_geometry(double time_s, const core::Vec3& posi
   g.ground_range_m = core::norm(srp_m) * safe_acos(core::dot(divided(position_m), divided(srp_m)));
   if (core::norm(velocity_mps) > 0.0) {
     g.side = core::dot(core::cross(above, ahead), towards) < 0.0 ? 'L' : 'R';
-    g.doppler_cone_deg = degrees * safe_acos(-core::dot(towards, ahead));
+    g.doppler_cone_deg = core::deg_per_rad * safe_acos(-core::dot(towards, ahead));
   }
   const core::Vec3 level = towards - core::dot(towards, axes.up) * axes.up;
-  g.graze_deg = degrees * std::atan2(core::dot(towards, axes.up), core::norm(level));
+  g.graze_deg = core::deg_per_rad * std::atan2(core::dot(towards, axes.up), core::norm(level));
   g.incidence_deg = 90.0 - g.graze_deg;
   if (core::norm(level) > 0.0) g.azimuth_deg = axes.azimuth_deg(level);
   return g;
@@ -124,7 +122,7 @@ double ground_squint_deg(const core::Vec3& position_m, const core::Vec3& velocit
   const core::Vec3 above = unit(position_m);
   const core::Vec3 ahead = unit(velocity_mps - core::dot(velocity_mps, above) * above);
   const core::Vec3 way = point_m - core::norm(point_m) * above;
-  return degrees * std::atan2(core::dot(ahead, way), std::abs(core::dot(core::cross(above, ahead), way)));
+  return core::deg_per_rad * std::atan2(core::dot(ahead, way), std::abs(core::dot(core::cross(above, ahead), way)));
 }
 
 raster::ReferenceGeometry reference_geometry(const raster::PhaseVector& v, bool bistatic) {

@@ -65,7 +65,7 @@ core::Problems problems_of_navigation(const std::string& name, std::span<const s
                                       std::span<const signal::TrackPoint> believed, double farthest_m) {
   CORE_EXPECT(recorded.size() == believed.size() && !recorded.empty());
   constexpr double tolerated = 0.01;
-  constexpr double tolerated_rad = core::pi / 180.0;
+  constexpr double tolerated_rad = core::rad_per_deg;
   constexpr double min_way_m = 1.0;
   constexpr const char* hint = "is it of this recording, in the axes of its world, with its time 0, in metres?";
   core::Problems problems;

@@ -34,8 +34,8 @@ raster::EnviHeader named_fields() {
 
 }  // namespace
 
-simulate::Facts facts_of_header(const raster::EnviHeader& header) {
-  simulate::Facts facts;
+raster::Facts facts_of_header(const raster::EnviHeader& header) {
+  raster::Facts facts;
   for (const auto& [name, ignored] : named_fields().fields)
     if (const auto value = header.field(name)) facts.emplace_back(attribute_name(name), *value);
   return facts;

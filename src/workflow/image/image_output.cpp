@@ -36,8 +36,8 @@ void each_row(const core::SampleRows<float>& image, const core::StopFlag* stop, 
   }
 }
 
-simulate::Product product_of(const signal::FocusedImage& image, const ImageOrigin& origin) {
-  simulate::Product product;
+raster::Product product_of(const signal::FocusedImage& image, const ImageOrigin& origin) {
+  raster::Product product;
   product.radar = origin.radar;
   product.options = origin.run;
   // A row is where the antenna passes at that time.

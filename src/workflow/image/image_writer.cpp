@@ -35,7 +35,7 @@ ImageWriter::ImageWriter(const std::filesystem::path& path, ImageContent content
     envi_.emplace(path, content_.header, replace);
     return;
   }
-  simulate::Product& product = content_.product;
+  raster::Product& product = content_.product;
   product.processing = scene::Processing::matched_filter;
   product.rows = report_.rows = content_.header.lines;
   product.columns = report_.columns = content_.header.samples;

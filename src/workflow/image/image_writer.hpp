@@ -10,7 +10,7 @@
 #include "raster/format/envi.hpp"
 #include "raster/sicd/sicd_writer.hpp"
 #include "raster/table/raster_writer.hpp"
-#include "simulate/plan/sink.hpp"
+#include "raster/table/sink.hpp"
 #include "workflow/image/in_memory_image.hpp"
 
 namespace sarsim::workflow {
@@ -42,7 +42,7 @@ class ImageWriter {
   std::filesystem::path path_;
   ImageContent content_;
   bool replace_;
-  simulate::RunReport report_;
+  raster::RunReport report_;
   std::optional<raster::EnviWriter> envi_;
   std::optional<raster::SicdWriter> sicd_;
   std::optional<raster::RasterWriter> samples_;

@@ -7,7 +7,7 @@
 #include "core/task/sample_rows.hpp"
 #include "core/task/stop.hpp"
 #include "raster/format/envi.hpp"
-#include "simulate/plan/sink.hpp"
+#include "raster/table/sink.hpp"
 #include "workflow/image/image_fields.hpp"
 #include "workflow/image/sicd_image.hpp"
 #include "workflow/input/recording_input.hpp"
@@ -17,7 +17,7 @@ namespace sarsim::workflow {
 /// What stands in the file of an image besides its pixels, for any format.
 struct ImageContent {
   raster::EnviHeader header;  ///< Shape, description and fields: the header of ENVI and, of complex pixels, of NPY.
-  simulate::Product product;  ///< Axes for HDF5; shape, bits and LSB are filled in.
+  raster::Product product;    ///< Axes for HDF5; shape, bits and LSB are filled in.
   std::optional<SicdImage> sicd{};  ///< Of the image of a SICD file.
 };
 

@@ -120,7 +120,7 @@ std::string bounds_text(const signal::FocusedImage& grid, const radar::EarthFram
 double turned_deg(double longitude_deg) { return std::remainder(longitude_deg, 360.0); }
 
 // Over the points that `looked_at` names. West of 180 deg and east of it the first longitude is the larger one.
-simulate::Facts bounds_of(const signal::FocusedImage& grid, const radar::EarthFrame& earth) {
+raster::Facts bounds_of(const signal::FocusedImage& grid, const radar::EarthFrame& earth) {
   const double middle_deg = core::deg_per_rad * place_of(grid, earth, middle_of(grid)).longitude_rad;
   std::array<double, 3> least;
   std::array<double, 3> most;
@@ -157,7 +157,7 @@ std::string geo_transform(const signal::FocusedImage& grid, const GridOnMap& map
                      map.sample_north_m, map.line_north_m);
 }
 
-simulate::Facts utm_facts(const signal::FocusedImage& grid, const GridOnMap& map) {
+raster::Facts utm_facts(const signal::FocusedImage& grid, const GridOnMap& map) {
   constexpr int northern_zones = 32600;  // EPSG codes of WGS 84 / UTM; the southern ones are 100 more.
   const int code = northern_zones + (map.middle.north ? 0 : 100) + map.middle.zone;
   return {{"grid_mapping_name", "transverse_mercator"},

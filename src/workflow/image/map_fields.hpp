@@ -7,8 +7,8 @@
 
 #include "radar/earth/earth_frame.hpp"
 #include "radar/earth/transverse_mercator.hpp"
+#include "raster/table/sink.hpp"
 #include "signal/sar/sar_image.hpp"
-#include "simulate/plan/sink.hpp"
 
 namespace sarsim::workflow {
 
@@ -40,8 +40,8 @@ struct GridOnMap {
 
 /// What an HDF5 file of a ground grid says of its place on the Earth.
 struct GridFacts {
-  simulate::Facts file;  ///< Bounds, as the Attribute Convention for Data Discovery (ACDD 1.3) names them.
-  simulate::Facts map;   ///< Its UTM map as CF and GDAL name it, see docs/formats/focused-images.md; empty beyond UTM.
+  raster::Facts file;  ///< Bounds, as the Attribute Convention for Data Discovery (ACDD 1.3) names them.
+  raster::Facts map;   ///< Its UTM map as CF and GDAL name it, see docs/formats/focused-images.md; empty beyond UTM.
 };
 
 /// The same as `map_fields`, for HDF5: the bounds of its corners and, within UTM, the map with the step from pixel to

@@ -100,14 +100,14 @@ TEST(MapFields, BeyondUtmHaveGeoPointsAlone) {
   EXPECT_EQ(fields[0].first, "geo points");
 }
 
-double number_fact(const simulate::Facts& facts, const std::string& name) {
+double number_fact(const raster::Facts& facts, const std::string& name) {
   for (const auto& [key, value] : facts)
     if (key == name && std::holds_alternative<double>(value)) return std::get<double>(value);
   ADD_FAILURE() << name << " is missing";
   return 0.0;
 }
 
-std::string text_fact(const simulate::Facts& facts, const std::string& name) {
+std::string text_fact(const raster::Facts& facts, const std::string& name) {
   for (const auto& [key, value] : facts)
     if (key == name && std::holds_alternative<std::string>(value)) return std::get<std::string>(value);
   return {};
@@ -136,7 +136,7 @@ TEST(GridFacts, SayTheMapWithItsTurnAndMirror) {
 
 TEST(GridFacts, SayTheBoundsAlsoAcrossTheDateLine) {
   const auto grid = grid_of(north, east, 2.0, 3.0);
-  const simulate::Facts facts = grid_facts(grid, earth_at(0.0, 180.0)).file;
+  const raster::Facts facts = grid_facts(grid, earth_at(0.0, 180.0)).file;
   const double half_deg = core::deg_per_rad * 150.0 / 6'378'137.0;
   EXPECT_NEAR(number_fact(facts, "geospatial_lon_min"), 180.0 - half_deg, 1e-7);
   EXPECT_NEAR(number_fact(facts, "geospatial_lon_max"), -180.0 + half_deg, 1e-7);

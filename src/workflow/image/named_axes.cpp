@@ -24,11 +24,11 @@ constexpr double unknown_place = std::numeric_limits<double>::quiet_NaN();
 struct PosePart {
   std::string_view name;
   std::string_view unit;
-  std::array<double, 3> simulate::RowPose::*values;
+  std::array<double, 3> raster::RowPose::*values;
 };
-constexpr std::array pose_parts{PosePart{"position", "m", &simulate::RowPose::position_m},
-                                PosePart{"velocity", "mps", &simulate::RowPose::velocity_mps},
-                                PosePart{"rotation", "rad", &simulate::RowPose::rotation_rad}};
+constexpr std::array pose_parts{PosePart{"position", "m", &raster::RowPose::position_m},
+                                PosePart{"velocity", "mps", &raster::RowPose::velocity_mps},
+                                PosePart{"rotation", "rad", &raster::RowPose::rotation_rad}};
 constexpr std::array<std::string_view, 3> row_places{"azimuth_m", "cross_range_m", "y_m"};
 constexpr std::array<std::string_view, 3> column_places{"slant_range_m", "ground_range_m", "x_m"};
 
@@ -60,7 +60,7 @@ std::string list_of_axes() {
 }
 
 // Gives the poses of rows one of their components. Returns whether the name is one.
-bool take_pose(const NamedAxis& axis, std::vector<simulate::RowPose>& poses) {
+bool take_pose(const NamedAxis& axis, std::vector<raster::RowPose>& poses) {
   for (const PosePart& part : pose_parts)
     for (std::size_t k = 0; k < 3; ++k) {
       if (axis.name != axis_of_pose(part, k)) continue;
@@ -119,7 +119,7 @@ std::vector<NamedAxis> named_axes(const raster::RasterAxes& axes) {
   for (const PosePart& part : pose_parts)
     for (std::size_t k = 0; k < 3; ++k) {
       std::vector<double> values;
-      for (const simulate::RowPose& pose : axes.row_pose) values.push_back((pose.*part.values)[k]);
+      for (const raster::RowPose& pose : axes.row_pose) values.push_back((pose.*part.values)[k]);
       add_axis(named, axis_of_pose(part, k), false, std::move(values));
     }
   return named;

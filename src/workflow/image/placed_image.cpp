@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "core/report/invalid_request.hpp"
-#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/separated.hpp"
 #include "raster/format/custom_raw.hpp"
 #include "raster/format/envi.hpp"
 #include "simulate/plan/acquisition.hpp"
@@ -41,15 +41,9 @@ raster::ImagePlaces places_said(const raster::EnviHeader& header, const raster::
 // The places that a header lists one by one, where they are evenly spaced to a tenth of a step.
 std::optional<raster::ImagePlaces> even_places(const raster::EnviHeader& header, const std::string& key,
                                                const char* label, const char* unit) {
-  const std::string listed = header.field(key).value_or("");
-  std::vector<double> places;
-  for (std::size_t begin = 0; begin < listed.size();) {
-    const std::size_t end = std::min(listed.find(',', begin), listed.size());
-    const auto number = core::parse_number(core::trimmed(std::string_view(listed).substr(begin, end - begin)));
-    if (!number) return std::nullopt;
-    places.push_back(*number);
-    begin = end + 1;
-  }
+  const auto listed = core::numbers_of_list(header.field(key).value_or(""));
+  if (!listed) return std::nullopt;
+  const std::vector<double>& places = *listed;
   if (places.size() < 2 || places.size() != header.lines) return std::nullopt;
   const double step = (places.back() - places.front()) / static_cast<double>(places.size() - 1);
   for (std::size_t i = 0; i < places.size(); ++i)

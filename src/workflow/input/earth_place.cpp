@@ -8,8 +8,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/report/invalid_request.hpp"
-#include "core/text/letters.hpp"
-#include "core/text/number_text.hpp"
+#include "core/text/separated.hpp"
 #include "radar/earth/earth_depth.hpp"
 #include "scene/model/world_frame.hpp"
 
@@ -40,23 +39,13 @@ radar::Anchor possible(const radar::Anchor& anchor, const std::string& what) {
 }  // namespace
 
 radar::Anchor anchor_from_text(const std::string& text, const std::string& option) {
-  std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto number = core::parse_number(core::trimmed(std::string_view(text).substr(begin, end - begin)));
-    if (!number) break;
-    numbers.push_back(*number);
-    begin = end + 1;
-    if (end == text.size()) {
-      if (numbers.size() < 3 || numbers.size() > 4) break;
-      if (std::abs(numbers[0]) > 90.0 || std::abs(numbers[1]) > 360.0) break;
-      return possible({{core::rad_per_deg * numbers[0], core::rad_per_deg * numbers[1], numbers[2]},
-                       numbers.size() == 4 ? core::rad_per_deg * numbers[3] : 0.0},
-                      fmt::format("{} {}", option, text));
-    }
-  }
-  throw core::InvalidRequest(fmt::format("{}: '{}' is not a place", option, text),
-                             "give LATITUDE,LONGITUDE,HEIGHT[,HEADING] in degrees and metres, as -33.9,18.4,120");
+  const std::vector<double> numbers = core::numbers_between_commas(text).value_or(std::vector<double>());
+  if (numbers.size() < 3 || numbers.size() > 4 || std::abs(numbers[0]) > 90.0 || std::abs(numbers[1]) > 360.0)
+    throw core::InvalidRequest(fmt::format("{}: '{}' is not a place", option, text),
+                               "give LATITUDE,LONGITUDE,HEIGHT[,HEADING] in degrees and metres, as -33.9,18.4,120");
+  return possible({{core::rad_per_deg * numbers[0], core::rad_per_deg * numbers[1], numbers[2]},
+                   numbers.size() == 4 ? core::rad_per_deg * numbers[3] : 0.0},
+                  fmt::format("{} {}", option, text));
 }
 
 void expect_possible_place(const core::Vec3& ecef_m, const std::string& what) {

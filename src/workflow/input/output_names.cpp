@@ -11,9 +11,9 @@
 #include "core/os/output_file.hpp"
 #include "core/report/invalid_request.hpp"
 #include "raster/format/envi.hpp"
-#include "raster/format/recording_hints.hpp"
 #include "raster/format/zarr_store.hpp"
 #include "raster/table/formats.hpp"
+#include "workflow/input/recording_hints.hpp"
 
 namespace sarsim::workflow {
 
@@ -163,7 +163,7 @@ std::optional<std::size_t> simulation_that_writes(const fs::path& file, const sc
     std::vector<std::string> names;
     for (const fs::path& path : output_names(scene, {".", false, format}).simulations)
       names.push_back(path.filename().string());
-    return std::pair(raster::names_alike(names, file), names);
+    return std::pair(names_alike(names, file), names);
   };
   const auto [found, names] = alike({});
   if (found.found.size() > 1 && !found.whole)

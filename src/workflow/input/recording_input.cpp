@@ -242,22 +242,22 @@ class Comparison {
   }
 
   // To a thousandth of a wavelength, which is what focusing needs, and what rounding leaves of large numbers.
-  void compare_poses(const std::vector<simulate::RowPose>& found) {
+  void compare_poses(const std::vector<raster::RowPose>& found) {
     if (!product_.row_pose || found.size() != acquisition_.timing.rows) return;
     const double place_m = core::exact_light_speed_mps / acquisition_.link.carrier.highest_hz();
     std::vector<const raster::PoseAxis*> alike;
     for (const raster::PoseAxis& axis : raster::pose_axes) alike.push_back(&axis);
     for (std::size_t row = 0; row < found.size() && !alike.empty(); ++row) {
-      const simulate::RowPose expected = product_.row_pose(row);
+      const raster::RowPose expected = product_.row_pose(row);
       const auto same = [&](const raster::PoseAxis* axis) { return found[row].*axis->part == expected.*axis->part; };
       if (std::ranges::all_of(alike, same)) continue;  // As they are but for damage.
       std::erase_if(alike, [&](const raster::PoseAxis* axis) {
-        const bool is_place = axis->part == &simulate::RowPose::position_m;
+        const bool is_place = axis->part == &raster::RowPose::position_m;
         return is_another(*axis, found[row], expected, is_place ? place_m : 1.0, row);
       });
     }
   }
-  bool is_another(const raster::PoseAxis& axis, const simulate::RowPose& found, const simulate::RowPose& expected,
+  bool is_another(const raster::PoseAxis& axis, const raster::RowPose& found, const raster::RowPose& expected,
                   double step, std::size_t row) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double value = (found.*axis.part)[k];
@@ -274,7 +274,7 @@ class Comparison {
   const raster::Raster& file_;
   const std::optional<raster::RasterAxes>& axes_;
   const simulate::Acquisition& acquisition_;
-  simulate::Product product_;
+  raster::Product product_;
   core::Problems& problems_;
 };
 

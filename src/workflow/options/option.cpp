@@ -1,7 +1,6 @@
 #include "workflow/options/option.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <system_error>
 
@@ -24,10 +23,7 @@ std::optional<std::uint64_t> whole_number(const std::string& word, std::uint64_t
     const auto number = core::parse_integer(word);
     return number && *number >= 0 ? std::optional(static_cast<std::uint64_t>(*number)) : std::nullopt;
   }
-  std::uint64_t number = 0;
-  const char* const end = word.data() + word.size();
-  const auto [last, failure] = std::from_chars(word.data(), end, number);
-  return failure == std::errc() && last == end ? std::optional(number) : std::nullopt;
+  return core::parse_whole(word);
 }
 
 std::string unlike(const std::string& word, const std::string& expected) {

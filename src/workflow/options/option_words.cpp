@@ -7,12 +7,11 @@
 #include <fmt/format.h>
 
 #include "core/report/invalid_request.hpp"
+#include "core/text/letters.hpp"
 
 namespace sarsim::workflow {
 
 namespace {
-
-bool parts_words(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 core::Problem problem_in_words(std::string message, std::string hint = {}) {
   core::Problem problem;
@@ -43,7 +42,7 @@ std::vector<std::string> words_of_line(const std::string& line) {
   char quote = '\0';
   bool within = false;
   for (const char c : line) {
-    if (quote == '\0' && parts_words(c)) {
+    if (quote == '\0' && core::is_blank(c)) {
       within = false;
       continue;
     }

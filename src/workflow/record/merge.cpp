@@ -172,9 +172,9 @@ class Merger {
     });
     try {
       if (!entered) doors_.push_back(raster::open_door(own));
-      const simulate::RunReport run = raster::join_parts(task, {core::thread_count(request_.threads), observer_.stop,
-                                                                observer_.stage(task.output.string())})
-                                          .report;
+      const raster::RunReport run = raster::join_parts(task, {core::thread_count(request_.threads), observer_.stop,
+                                                              observer_.stage(task.output.string())})
+                                        .report;
       clear(task);
       return report_of(task, run);
     } catch (...) {
@@ -183,10 +183,10 @@ class Merger {
     }
   }
 
-  [[nodiscard]] RecordingReport report_of(const raster::JoinTask& task, const simulate::RunReport& run) const {
+  [[nodiscard]] RecordingReport report_of(const raster::JoinTask& task, const raster::RunReport& run) const {
     RecordingReport report;
     report.run = run;
-    const simulate::Product& product = task.product.product;
+    const raster::Product& product = task.product.product;
     report.file = task.output.string();
     report.simulation.format = task.product.options.format;
     report.simulation.processing = product.processing;

@@ -30,7 +30,7 @@ std::optional<PartChoice::Span> span_from(const std::string& text) {
   return span;
 }
 
-simulate::RowRange rows_of(const PartChoice& choice, std::size_t rows, std::size_t piece_rows) {
+raster::RowRange rows_of(const PartChoice& choice, std::size_t rows, std::size_t piece_rows) {
   if (choice.share) {
     const auto number = static_cast<std::size_t>(choice.share->number);
     const auto count = static_cast<std::size_t>(choice.share->count);

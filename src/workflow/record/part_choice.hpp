@@ -40,7 +40,7 @@ struct PartChoice {
 /// The rows of a recording that are chosen; none where it has not so many. Shares 1 to N are the whole. They differ by
 /// one row at most or, where a file holds rows in pieces of which there are as many as shares, by one piece: then no
 /// piece belongs to two shares.
-[[nodiscard]] simulate::RowRange rows_of(const PartChoice& choice, std::size_t rows, std::size_t piece_rows = 1);
+[[nodiscard]] raster::RowRange rows_of(const PartChoice& choice, std::size_t rows, std::size_t piece_rows = 1);
 
 /// "3/8", "101:200"; "1/1" for the whole.
 [[nodiscard]] std::string words_of(const PartChoice& choice);

@@ -22,7 +22,7 @@ TEST(RowsOf, SharesAreTheWholeWithoutOverlapAndDifferByOneRowAtMost) {
     for (const std::int64_t count : {1, 2, 3, 7, 64}) {
       std::size_t next = 0;
       for (std::int64_t number = 1; number <= count; ++number) {
-        const simulate::RowRange range = rows_of(share_choice(number, count), rows);
+        const raster::RowRange range = rows_of(share_choice(number, count), rows);
         EXPECT_EQ(range.first, next);
         EXPECT_GE(range.count, rows / static_cast<std::size_t>(count));
         EXPECT_LE(range.count, rows / static_cast<std::size_t>(count) + 1);
@@ -33,12 +33,12 @@ TEST(RowsOf, SharesAreTheWholeWithoutOverlapAndDifferByOneRowAtMost) {
 }
 
 TEST(RowsOf, PulsesCountFromOneWithBothEnds) {
-  EXPECT_EQ(rows_of(span_choice(101, 200), 1000), (simulate::RowRange{100, 100}));
-  EXPECT_EQ(rows_of(span_choice(1, 1), 1000), (simulate::RowRange{0, 1}));
-  EXPECT_EQ(rows_of(span_choice(991, std::nullopt), 1000), (simulate::RowRange{990, 10}));
-  EXPECT_EQ(rows_of(span_choice(991, 2000), 1000), (simulate::RowRange{990, 10}));
+  EXPECT_EQ(rows_of(span_choice(101, 200), 1000), (raster::RowRange{100, 100}));
+  EXPECT_EQ(rows_of(span_choice(1, 1), 1000), (raster::RowRange{0, 1}));
+  EXPECT_EQ(rows_of(span_choice(991, std::nullopt), 1000), (raster::RowRange{990, 10}));
+  EXPECT_EQ(rows_of(span_choice(991, 2000), 1000), (raster::RowRange{990, 10}));
   EXPECT_EQ(rows_of(span_choice(1001, 2000), 1000).count, 0U);
-  EXPECT_EQ(rows_of({}, 1000), (simulate::RowRange{0, 1000}));
+  EXPECT_EQ(rows_of({}, 1000), (raster::RowRange{0, 1000}));
 }
 
 TEST(PartNames, TellSharesApart) {
@@ -70,7 +70,7 @@ TEST(PartChoice, SharesOfPiecesHaveWholePieces) {
   for (std::int64_t number = 1; number <= 3; ++number) {
     PartChoice choice;
     choice.share = {number, 3};
-    const simulate::RowRange range = rows_of(choice, 23, 5);
+    const raster::RowRange range = rows_of(choice, 23, 5);
     EXPECT_EQ(range.first, next);
     EXPECT_EQ(range.first % 5, 0U);
     next = range.end();

@@ -19,7 +19,7 @@ constexpr const char* file_layout = "3";
 
 raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation, const raster::StoredProduct& stored,
                              const core::WorkControl& control) {
-  const simulate::Product& product = stored.product;
+  const raster::Product& product = stored.product;
   const scene::RunOptions& options = product.options;
   raster::Identity identity{
       {"program", core::program_version},

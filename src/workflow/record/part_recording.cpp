@@ -19,13 +19,13 @@ class PartEncoder {
   explicit PartEncoder(const raster::StoredProduct& stored)
       : final_(stored.estimate_lsb ? nullptr : raster::make_discarding_sink(stored.product, stored.options)) {}
 
-  [[nodiscard]] const simulate::Sink& sink() const {
+  [[nodiscard]] const raster::Sink& sink() const {
     if (final_) return *final_;
     return volts_;
   }
 
  private:
-  std::unique_ptr<simulate::Sink> final_;
+  std::unique_ptr<raster::Sink> final_;
   simulate::Recording unused_;
   simulate::MemorySink volts_{unused_};
 };
@@ -171,15 +171,15 @@ class PartMaker {
     try {
       const core::ProgressReport display = workshop_.observer.stage(label());
       std::size_t total = 0;
-      for (const simulate::RowRange& range : part_->missing()) total += range.count;
+      for (const raster::RowRange& range : part_->missing()) total += range.count;
       const auto show = [&](std::size_t done) {
         if (total > 0 && display) display({done, total, job_.plan.acquisition.reception.columns});
       };
       if (workshop_.team == nullptr) {
-        for (const simulate::RowRange& range : part_->missing()) make_rows(range, encoder, show);
+        for (const raster::RowRange& range : part_->missing()) make_rows(range, encoder, show);
       } else {
         workshop_.team->deal(
-            part_->missing(), [&](simulate::RowRange range) { make_rows(range, encoder, {}); },
+            part_->missing(), [&](raster::RowRange range) { make_rows(range, encoder, {}); },
             [&](const core::Progress& progress) { show(progress.done); });
         result_.made = total;
       }
@@ -194,16 +194,15 @@ class PartMaker {
     }
   }
 
-  void make_rows(simulate::RowRange range, const PartEncoder& encoder,
-                 const std::function<void(std::size_t)>& progress) {
+  void make_rows(raster::RowRange range, const PartEncoder& encoder, const std::function<void(std::size_t)>& progress) {
     const std::size_t before = result_.made;
     const double lsb_v = job_.product.estimate_lsb ? 0.0 : job_.plan.acquisition.simulation.lsb_v;
-    const simulate::RunControl control{workshop_.threads, workshop_.observer.stop, [&](const core::Progress& p) {
-                                         result_.made = before + p.done;
-                                         if (progress) progress(result_.made);
-                                       }};
+    const raster::RunControl control{workshop_.threads, workshop_.observer.stop, [&](const core::Progress& p) {
+                                       result_.made = before + p.done;
+                                       if (progress) progress(result_.made);
+                                     }};
     simulate::run_rows(job_.plan, range, lsb_v, encoder.sink(), control,
-                       [&](const simulate::EncodedRows& rows) { part_->writer().take(rows); });
+                       [&](const raster::EncodedRows& rows) { part_->writer().take(rows); });
   }
 
   // Something ends the work early: what is done shall stay.
@@ -217,8 +216,8 @@ class PartMaker {
 
   void finish() {
     result_.journal_seconds = part_->writer().settling_s();
-    const simulate::RunControl control{workshop_.threads, workshop_.observer.stop,
-                                       workshop_.observer.stage(job_.output.string() + " (joining its parts)")};
+    const raster::RunControl control{workshop_.threads, workshop_.observer.stop,
+                                     workshop_.observer.stage(job_.output.string() + " (joining its parts)")};
     const raster::PartOutcome outcome = part_->finish(job_.force, control);
     result_.there = outcome.rows_there;
     result_.elsewhere = outcome.elsewhere;

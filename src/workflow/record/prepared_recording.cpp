@@ -50,7 +50,7 @@ PreparedRecording prepare_recording(const scene::Scene& scene, std::size_t simul
   const scene::FileFormat format = prepared.plan.acquisition.simulation.format;
   prepared.options.format = format;
   if (raster::format_of(format).carries_script) prepared.script = scene::recorded_text(scene);
-  const simulate::Product product = simulate::product_of(prepared.plan, prepared.script);
+  const raster::Product product = simulate::product_of(prepared.plan, prepared.script);
   prepared.estimate =
       estimate_of(prepared.plan, raster::expected_bytes(product, prepared.options), prepared.options.counts, stop);
   return prepared;

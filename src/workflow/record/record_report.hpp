@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/report/problem.hpp"
+#include "raster/table/sink.hpp"
 #include "scene/model/scene.hpp"
-#include "simulate/plan/sink.hpp"
 #include "simulate/run/run.hpp"
 
 namespace sarsim::workflow {
@@ -21,7 +21,7 @@ struct RecordingReport {
   scene::RunOptions options;
   std::string engine;
   std::string engine_reason;  ///< Why this engine.
-  simulate::RunReport run;
+  raster::RunReport run;
   std::optional<double> bytes;  ///< Of the file; none where nothing was written.
   double seconds = 0.0;         ///< With the estimate of the LSB.
   bool counts = false;          ///< The file holds counts of the converter, not volts.
@@ -38,17 +38,17 @@ struct TableReport {
 
 /// What came of a share of a recording.
 struct PartReport {
-  std::string file;                          ///< Of the whole recording.
-  std::string part;                          ///< "3/8", "101:200".
-  std::size_t rows = 0;                      ///< Of the whole recording.
-  bool own_file = false;                     ///< The share is kept in a file of its own, to be merged.
-  simulate::RowRange range;                  ///< The share.
-  std::size_t made = 0;                      ///< Rows computed by this process.
-  std::size_t rejected = 0;                  ///< Rows that were vouched for but damaged.
-  std::size_t there = 0;                     ///< Rows of the recording that are vouched for now.
-  bool finished_before = false;              ///< The recording is complete, and was when it began.
-  bool elsewhere = false;                    ///< The recording is complete; another process has seen to it.
-  std::optional<simulate::RunReport> whole;  ///< The recording is complete: its report.
+  std::string file;                        ///< Of the whole recording.
+  std::string part;                        ///< "3/8", "101:200".
+  std::size_t rows = 0;                    ///< Of the whole recording.
+  bool own_file = false;                   ///< The share is kept in a file of its own, to be merged.
+  raster::RowRange range;                  ///< The share.
+  std::size_t made = 0;                    ///< Rows computed by this process.
+  std::size_t rejected = 0;                ///< Rows that were vouched for but damaged.
+  std::size_t there = 0;                   ///< Rows of the recording that are vouched for now.
+  bool finished_before = false;            ///< The recording is complete, and was when it began.
+  bool elsewhere = false;                  ///< The recording is complete; another process has seen to it.
+  std::optional<raster::RunReport> whole;  ///< The recording is complete: its report.
   double seconds = 0.0;
   std::size_t journal_entries = 0;  ///< Written by this process.
   double journal_seconds = 0.0;     ///< Spent on bringing rows and journal to the disk.

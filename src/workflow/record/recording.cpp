@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::unique_ptr<simulate::Sink> sink_of(const RecordingJob& job, const simulate::Product& product) {
+std::unique_ptr<raster::Sink> sink_of(const RecordingJob& job, const raster::Product& product) {
   if (job.discard) return raster::make_discarding_sink(product, job.options);
   return raster::make_sink(job.file, product, job.options);
 }
@@ -23,13 +23,13 @@ std::unique_ptr<simulate::Sink> sink_of(const RecordingJob& job, const simulate:
 RecordingReport make_recording(const RecordingJob& job, unsigned threads, const core::Observer& observer) {
   const double begin_s = core::now_s();
   const simulate::Plan& plan = job.plan;
-  const simulate::Product product =
+  const raster::Product product =
       simulate::product_of(plan, raster::format_of(job.options.format).carries_script ? job.script : std::string());
-  const std::unique_ptr<simulate::Sink> sink = sink_of(job, product);
+  const std::unique_ptr<raster::Sink> sink = sink_of(job, product);
   RecordingReport report = begun_report(plan, product);
   report.counts = sink->wants_counts();
   const std::string name = job.file.string();
-  const auto control = [&](const std::string& stage) -> simulate::RunControl {
+  const auto control = [&](const std::string& stage) -> raster::RunControl {
     return {threads, observer.stop, begun_stage(observer, stage, plan)};
   };
   double lsb_v = plan.acquisition.simulation.lsb_v;
@@ -41,7 +41,7 @@ RecordingReport make_recording(const RecordingJob& job, unsigned threads, const 
   return report;
 }
 
-RecordingReport begun_report(const simulate::Plan& plan, const simulate::Product& product) {
+RecordingReport begun_report(const simulate::Plan& plan, const raster::Product& product) {
   RecordingReport report;
   report.simulation = plan.acquisition.simulation;
   report.simulation.radar = plan.acquisition.link.name;

@@ -25,7 +25,7 @@ struct RecordingJob {
 [[nodiscard]] RecordingReport make_recording(const RecordingJob& job, unsigned threads, const core::Observer& observer);
 
 /// What a report says before anything was computed: the simulation, with the name of its radar, and the engine.
-[[nodiscard]] RecordingReport begun_report(const simulate::Plan& plan, const simulate::Product& product);
+[[nodiscard]] RecordingReport begun_report(const simulate::Plan& plan, const raster::Product& product);
 
 /// Notes name and true size of a finished file.
 void take_file(const std::filesystem::path& path, RecordingReport& report);

@@ -42,7 +42,7 @@ ThreadTrial try_on_thread(std::size_t count, const TrialRules& rules, const TryR
 // Makes rows of a plan into bytes, as a run does.
 class RowTrial {
  public:
-  RowTrial(const simulate::Plan& plan, const simulate::Sink& sink, const std::function<double()>& now_s,
+  RowTrial(const simulate::Plan& plan, const raster::Sink& sink, const std::function<double()>& now_s,
            const core::StopFlag* stop)
       : plan_(plan), sink_(sink), now_s_(now_s), stop_(stop), rows_(plan), volts_(plan.acquisition.reception.columns) {
     if (sink.wants_counts()) counts_.resize(2 * plan.acquisition.reception.columns);
@@ -66,7 +66,7 @@ class RowTrial {
 
  private:
   const simulate::Plan& plan_;
-  const simulate::Sink& sink_;
+  const raster::Sink& sink_;
   const std::function<double()>& now_s_;
   const core::StopFlag* stop_;
   simulate::RowMaker rows_;
@@ -113,7 +113,7 @@ Trial try_rows(std::size_t count, const TrialRules& rules, const std::function<T
 
 Trial try_plan(const simulate::Plan& plan, const TrialRules& rules, const core::StopFlag* stop) {
   if (plan.acquisition.timing.rows == 0) return {};
-  const std::unique_ptr<simulate::Sink> sink =
+  const std::unique_ptr<raster::Sink> sink =
       raster::make_discarding_sink(simulate::product_of(plan, {}), {plan.acquisition.simulation.format});
   TrialRules own = rules;
   own.threads =

@@ -63,7 +63,7 @@ SaveForecast forecast(const scene::Scene& scene, const SaveChoice& choice, doubl
   SaveForecast forecast{std::move(planned.problems), std::nullopt};
   if (!planned.plan) return forecast;
   const bool with_script = raster::format_of(simulation.format).carries_script;
-  const simulate::Product product = simulate::product_of(
+  const raster::Product product = simulate::product_of(
       *planned.plan, with_script ? scene::recorded_text(with_simulation(scene, simulation)) : std::string());
   const double bytes = raster::expected_bytes(product, sink_options_of(choice, false));
   const bool counts = chosen_samples(choice) == SampleChoice::counts;

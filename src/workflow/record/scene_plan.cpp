@@ -24,10 +24,10 @@ namespace {
 
 // Encodes rows as the numbers that memory is to hold.
 template <class Real>
-class VoltEncoder : public simulate::Sink {
+class VoltEncoder : public raster::Sink {
  public:
   [[nodiscard]] bool wants_counts() const override { return false; }
-  [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& block) const override {
+  [[nodiscard]] std::vector<std::byte> encode(const raster::Block& block) const override {
     std::vector<std::byte> bytes(block.volts.size() * sizeof(std::complex<Real>));
     std::byte* next = bytes.data();
     for (const std::complex<double>& volts : block.volts) {
@@ -38,7 +38,7 @@ class VoltEncoder : public simulate::Sink {
     return bytes;
   }
   void append(std::span<const std::byte> /*bytes*/, std::size_t /*first_row*/, std::size_t /*rows*/) override {}
-  void finish(const simulate::RunReport& /*report*/) override {}
+  void finish(const raster::RunReport& /*report*/) override {}
 };
 
 [[noreturn]] void refuse_echo(core::Problem problem, const SceneInput& input) {
@@ -48,13 +48,13 @@ class VoltEncoder : public simulate::Sink {
 }
 
 template <class Real>
-void fill_rows(const ScenePlan& planned, simulate::RowRange rows, std::span<std::complex<Real>> samples,
-               unsigned threads, const core::Observer& observer) try {
+void fill_rows(const ScenePlan& planned, raster::RowRange rows, std::span<std::complex<Real>> samples, unsigned threads,
+               const core::Observer& observer) try {
   const simulate::Plan& plan = planned.plan;
   const VoltEncoder<Real> encoder;
   const core::ProgressReport progress = observer.stage(plan.acquisition.link.name);
   if (progress) progress({0, rows.count, plan.acquisition.reception.columns});
-  simulate::run_rows(plan, rows, 0.0, encoder, {threads, observer.stop, {}}, [&](const simulate::EncodedRows& made) {
+  simulate::run_rows(plan, rows, 0.0, encoder, {threads, observer.stop, {}}, [&](const raster::EncodedRows& made) {
     const std::size_t done = made.rows.first - rows.first;
     if (!made.bytes.empty())
       std::memcpy(samples.data() + done * plan.acquisition.reception.columns, made.bytes.data(), made.bytes.size());
@@ -100,12 +100,12 @@ ScenePlan plan_of_scene(const SceneInput& known, std::size_t simulation, const c
   return planned;
 }
 
-void record_rows(const ScenePlan& planned, simulate::RowRange rows, std::span<std::complex<float>> samples,
+void record_rows(const ScenePlan& planned, raster::RowRange rows, std::span<std::complex<float>> samples,
                  unsigned threads, const core::Observer& observer) {
   fill_rows(planned, rows, samples, threads, observer);
 }
 
-void record_rows(const ScenePlan& planned, simulate::RowRange rows, std::span<std::complex<double>> samples,
+void record_rows(const ScenePlan& planned, raster::RowRange rows, std::span<std::complex<double>> samples,
                  unsigned threads, const core::Observer& observer) {
   fill_rows(planned, rows, samples, threads, observer);
 }

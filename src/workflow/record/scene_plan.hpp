@@ -34,10 +34,10 @@ struct ScenePlan {
 /// @param samples  rows.count times plan.acquisition.reception.columns
 /// @param threads  0: one per core
 /// @throws core::InvalidRequest for an echo that cannot be computed, core::Interrupted
-void record_rows(const ScenePlan& planned, simulate::RowRange rows, std::span<std::complex<float>> samples,
+void record_rows(const ScenePlan& planned, raster::RowRange rows, std::span<std::complex<float>> samples,
                  unsigned threads, const core::Observer& observer);
 /// The same in double precision.
-void record_rows(const ScenePlan& planned, simulate::RowRange rows, std::span<std::complex<double>> samples,
+void record_rows(const ScenePlan& planned, raster::RowRange rows, std::span<std::complex<double>> samples,
                  unsigned threads, const core::Observer& observer);
 
 /// Makes the file of a recording, as `record` does.

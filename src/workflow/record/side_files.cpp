@@ -1,6 +1,7 @@
 #include "workflow/record/side_files.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <string>
 #include <system_error>

@@ -46,7 +46,7 @@ class Team {
   /// @param todo      of the leader
   /// @param work      makes what was dealt
   /// @param progress  told on the leader
-  virtual void deal(const std::vector<simulate::RowRange>& todo, const std::function<void(simulate::RowRange)>& work,
+  virtual void deal(const std::vector<raster::RowRange>& todo, const std::function<void(raster::RowRange)>& work,
                     const core::ProgressReport& progress) = 0;
 };
 

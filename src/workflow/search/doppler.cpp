@@ -85,10 +85,10 @@ class DopplerImage {
     return static_cast<double>(largest);
   }
 
-  [[nodiscard]] simulate::Product product() const {
+  [[nodiscard]] raster::Product product() const {
     const SearchOptions& options = work_.options();
     const DopplerReport axes = this->axes();
-    simulate::Product product;
+    raster::Product product;
     product.radar = work_.acquisition().link.name;
     product.row_time_s = [repetition = work_.acquisition().link.repetition, frequencies = options.rows(),
                           first = work_.acquisition().timing.pulses.first, step = options.step_pulses(),

@@ -168,7 +168,7 @@ class Remarks {
     const double turn_rad =
         std::abs(acquisition_.link.beam.rate_rad_per_s) * static_cast<double>(options_.recorded_pulses()) / prf_hz_;
     if (turn_rad <= width_rad) return;
-    const auto degrees = [](double rad) { return rad * 180.0 / core::pi; };
+    const auto degrees = [](double rad) { return core::deg_per_rad * rad; };
     const double pulses = width_rad / std::abs(acquisition_.link.beam.rate_rad_per_s) * prf_hz_;
     warn("the beam turns more than its width in an interval: targets are illuminated for part of it",
          fmt::format("{:.3g} degrees in {} pulses", degrees(turn_rad), options_.recorded_pulses()),
@@ -184,7 +184,7 @@ class Remarks {
     const std::size_t intervals = interval_count(options_, pulses);
     if (!simulate::is_scanning(acquisition_.link.beam) || intervals == 0) return;
     const std::size_t taken = (intervals - 1) * options_.step_pulses() + options_.recorded_pulses();
-    const double turn_deg = std::abs(acquisition_.link.beam.rate_rad_per_s) / prf_hz_ * 180.0 / core::pi;
+    const double turn_deg = core::deg_per_rad * std::abs(acquisition_.link.beam.rate_rad_per_s) / prf_hz_;
     const double unseen_deg =
         std::min(turn_deg * static_cast<double>(pulses - taken), 360.0 - turn_deg * static_cast<double>(taken));
     constexpr double rounding_deg = 1e-6;
@@ -203,7 +203,7 @@ class Remarks {
     if (options_.recorded_pulses() > 1 || beam_turns(acquisition_)) return;
     simulate::PulseGeometry geometry(*acquisition_.scene, acquisition_.link);
     geometry.set_pulse(acquisition_.timing.pulses.first);
-    const double azimuth_deg = core::azimuth_rad(geometry.pointing().axis_world()) * 180.0 / core::pi;
+    const double azimuth_deg = core::deg_per_rad * core::azimuth_rad(geometry.pointing().axis_world());
     warn("the beam does not turn: every detection is shown at the azimuth of the beam, wherever its target is",
          fmt::format("a beam that points to {:.3g} degrees all the time",
                      azimuth_deg + (azimuth_deg < 0.0 ? 360.0 : 0.0)),
@@ -329,7 +329,7 @@ bool beam_turns(const simulate::Acquisition& acquisition) {
 
 double seen_width_rad(const simulate::Acquisition& acquisition) {
   const double width_rad = beam_width_rad(acquisition);
-  return width_rad > 0.0 ? width_rad : core::pi / 180.0;
+  return width_rad > 0.0 ? width_rad : core::rad_per_deg;
 }
 
 std::size_t dwell_pulses(const simulate::Acquisition& acquisition) {

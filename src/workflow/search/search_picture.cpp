@@ -105,7 +105,7 @@ SearchPicture::SearchPicture(const PulseRows& rows, const PictureArguments& argu
       still_rad_(beam_width_rad(*rows.acquisition)),
       scan_(arguments.scan),
       picture_(picture_grid(rows, arguments)) {
-  constexpr double usual_width_rad = core::pi / 180.0;
+  constexpr double usual_width_rad = core::rad_per_deg;
   if (still_rad_ <= 0.0) still_rad_ = usual_width_rad;
 }
 

@@ -85,7 +85,7 @@ void add_remarks(IsarImage& made, const IsarPlan& plan, const IsarOptions& optio
   if (plan.plane.turn_rad <= min_turn_rad) {
     made.problems.push_back(core::problem_of(
         core::Severity::error, "the target does not turn against the line of sight: there is no cross-range",
-        fmt::format("{:.3g} degrees", plan.plane.turn_rad * 180.0 / core::pi), "a target that turns or flies past",
+        fmt::format("{:.3g} degrees", core::deg_per_rad * plan.plane.turn_rad), "a target that turns or flies past",
         "choose the target's --platform, record for longer, or give --turn-rate"));
     return;
   }
@@ -109,7 +109,7 @@ void add_remarks(IsarImage& made, const IsarPlan& plan, const IsarOptions& optio
     made.problems.push_back(core::problem_of(core::Severity::warning,
                                              "the target turns so far that points away from its centre blur",
                                              fmt::format("{:.3g} degrees, {:.3g} pi of phase at the edge",
-                                                         plan.plane.turn_rad * 180.0 / core::pi, quadratic),
+                                                         core::deg_per_rad * plan.plane.turn_rad, quadratic),
                                              "half of pi", "use fewer --bursts, or --algorithm back-projection"));
 }
 

@@ -107,8 +107,8 @@ void write_csv(const ProfileSeries& series, const ProfileOrigin& origin, const f
   file.commit();
 }
 
-simulate::Product product_of(const ProfileSeries& series, const ProfileOrigin& origin) {
-  simulate::Product product;
+raster::Product product_of(const ProfileSeries& series, const ProfileOrigin& origin) {
+  raster::Product product;
   product.radar = origin.radar;
   product.options = origin.run;
   product.processing = scene::Processing::srp;
@@ -127,8 +127,8 @@ simulate::Product product_of(const ProfileSeries& series, const ProfileOrigin& o
 
 void write_samples(const ProfileSeries& series, const ProfileOrigin& origin, scene::FileFormat format,
                    const fs::path& path, bool replace, const core::StopFlag* stop) {
-  simulate::Product product = product_of(series, origin);
-  simulate::RunReport report;
+  raster::Product product = product_of(series, origin);
+  raster::RunReport report;
   report.rows = product.rows;
   report.columns = product.columns;
   for (const auto& value : series.values) report.maximum_v = std::max(report.maximum_v, std::abs(value));

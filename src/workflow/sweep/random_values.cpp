@@ -12,6 +12,7 @@
 #include "core/maths/rounding.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/separated.hpp"
 
 namespace sarsim::workflow {
 
@@ -55,15 +56,10 @@ std::vector<Parameter> parameters_of(std::string_view text) {
   std::vector<Parameter> parameters;
   const std::size_t open = text.find('(');
   if (text.empty() || text.back() != ')') return parameters;
-  std::string_view rest = text.substr(open + 1, text.size() - open - 2);
-  for (bool more = true; more;) {
-    const std::size_t comma = rest.find(',');
-    more = comma != std::string_view::npos;
-    const std::string_view one = core::trimmed(rest.substr(0, comma));
+  core::each_piece(text.substr(open + 1, text.size() - open - 2), ',', [&](std::string_view one) {
     const std::size_t length = scene::number_length(one);
     parameters.push_back({std::string(one.substr(0, length)), std::string(core::trimmed(one.substr(length)))});
-    if (more) rest.remove_prefix(comma + 1);
-  }
+  });
   for (Parameter& parameter : parameters)
     if (parameter.unit.empty()) parameter.unit = parameters.back().unit;
   return parameters;

@@ -156,8 +156,7 @@ bool sets(const SweepAxis& axis, const core::Subject& subject) {
 std::string safe_word(const std::string& text) {
   std::string word;
   for (const char c : text) {
-    const bool plain = (c >= '0' && c <= '9') || ((c | 0x20) >= 'a' && (c | 0x20) <= 'z') ||
-                       static_cast<unsigned char>(c) >= 0x80 ||
+    const bool plain = core::is_digit(c) || core::is_letter(c) || static_cast<unsigned char>(c) >= 0x80 ||
                        std::string_view("._+=-").find(c) != std::string_view::npos;
     if (c == ' ') continue;
     word += plain ? c : '-';

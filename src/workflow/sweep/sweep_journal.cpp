@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -53,11 +52,9 @@ class CellReader {
     return value.value_or(0.0);
   }
   std::uint64_t whole(int base = 10) {
-    const std::string& text = word();
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
-    good_ = good_ && error == std::errc{} && end == text.data() + text.size();
-    return value;
+    const auto value = core::parse_whole(word(), base);
+    good_ = good_ && value;
+    return value.value_or(0);
   }
   // Nothing for "-".
   std::optional<std::int64_t> time() {
@@ -162,7 +159,7 @@ bool is_held(const fs::path& journal) try {
 }  // namespace
 
 std::string journal_line(const SweepRow& row) {
-  const simulate::RunReport& run = row.run;
+  const raster::RunReport& run = row.run;
   std::string line = fmt::format("{:016x}\t{}\t{}\t{}\t{}\t{}\t{}", row.stamp, row.file, core::format_number(row.bytes),
                                  row.written ? std::to_string(*row.written) : "-", core::format_number(row.seconds),
                                  row.engine, row.lsb_estimated ? 1 : 0);
@@ -189,8 +186,8 @@ bool read_journal_line(const std::string& line, SweepRow& row) {
   row.lsb_estimated = reader.whole() != 0;
   row.run.rows = reader.whole();
   row.run.columns = reader.whole();
-  for (double simulate::RunReport::*member : {&simulate::RunReport::maximum_v, &simulate::RunReport::lsb_v,
-                                              &simulate::RunReport::best_lsb_v, &simulate::RunReport::range_used})
+  for (double raster::RunReport::*member : {&raster::RunReport::maximum_v, &raster::RunReport::lsb_v,
+                                            &raster::RunReport::best_lsb_v, &raster::RunReport::range_used})
     row.run.*member = reader.number();
   row.run.saturated = reader.whole();
   row.run.zero = reader.whole();

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "simulate/plan/sink.hpp"
+#include "raster/table/sink.hpp"
 #include "workflow/sweep/post_processing.hpp"
 
 namespace sarsim::workflow {
@@ -24,7 +24,7 @@ struct SweepRow {
   double seconds = 0.0;
   std::string engine;
   bool lsb_estimated = false;
-  simulate::RunReport run;
+  raster::RunReport run;
   bool begun = false;                ///< An earlier process began its file: an existing file may be its result.
   bool recorded = false;             ///< Its file is there already; only the follow-up is left to do.
   std::string followed;              ///< Which follow-up gave the figures, `mark_of`; empty: none yet.

@@ -8,22 +8,13 @@
 #include <fmt/format.h>
 
 #include "core/build/version.hpp"
+#include "core/text/csv.hpp"
 #include "core/text/number_text.hpp"
 #include "core/text/problem_json.hpp"
 
 namespace sarsim::workflow {
 
 namespace {
-
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + "\"";
-}
 
 const char* status_of(const SweepRow& row) { return row.done ? "done" : row.failure.empty() ? "not made" : "failed"; }
 
@@ -59,7 +50,8 @@ constexpr std::string_view product_columns = ",product,file,status,rows,columns,
 std::string heading_line(const SweepFrame& frame) {
   std::string line(first_column.substr(0, first_column.size() - 1));
   for (const SweepAxis& axis : frame.sweep->axes())
-    line += fmt::format(",{}", cell(axis.unit().empty() ? axis.name : fmt::format("{} [{}]", axis.name, axis.unit())));
+    line += fmt::format(
+        ",{}", core::csv_cell(axis.unit().empty() ? axis.name : fmt::format("{} [{}]", axis.name, axis.unit())));
   line += product_columns;
   return line + "lsb_estimated,best_lsb_v,range_used,saturated,zero,engine,seconds";
 }
@@ -67,11 +59,12 @@ std::string heading_line(const SweepFrame& frame) {
 std::string line_of(const SweepFrame& frame, const SweepRow& row) {
   std::string line = std::to_string(row.variation + 1);
   for (std::size_t i = 0; i < frame.sweep->axes().size(); ++i)
-    line += fmt::format(",{}", cell(frame.sweep->axes()[i].table_text(frame.sweep->value_of(row.variation, i))));
-  line += fmt::format(",{},{},{}", product_name(frame, row), cell(row.file), status_of(row));
+    line +=
+        fmt::format(",{}", core::csv_cell(frame.sweep->axes()[i].table_text(frame.sweep->value_of(row.variation, i))));
+  line += fmt::format(",{},{},{}", product_name(frame, row), core::csv_cell(row.file), status_of(row));
   if (!row.done) return line + std::string(12, ',');
   if (row.table) return line + fmt::format(",,,{},,,,,,,,,{:.6g}", core::format_number(row.bytes), row.seconds);
-  const simulate::RunReport& run = row.run;
+  const raster::RunReport& run = row.run;
   line +=
       fmt::format(",{},{},{}", run.rows, run.columns, is_sized(row) ? core::format_number(row.bytes) : std::string());
   line += fmt::format(",{},{},{}", core::format_number(run.maximum_v), core::format_number(run.lsb_v),
@@ -120,7 +113,7 @@ void write_row(core::JsonWriter& json, const SweepFrame& frame, const SweepRow& 
   if (!row.done && row.run.rows > 0)  // What a sweep that was only planned would make.
     json.member("rows", row.run.rows).member("columns", row.run.columns).member("bytes", row.bytes);
   if (row.done && !row.table) {
-    const simulate::RunReport& run = row.run;
+    const raster::RunReport& run = row.run;
     json.member("rows", run.rows).member("columns", run.columns).member("maximum_v", run.maximum_v);
     json.member("lsb_v", run.lsb_v).member("lsb_estimated", row.lsb_estimated).member("best_lsb_v", run.best_lsb_v);
     json.member("range_used", run.range_used).member("saturated", run.saturated).member("zero", run.zero);

@@ -178,7 +178,7 @@ double differing(const Row& a, const Row& b) {
 void measure_repeatability(Record& record) {
   const scene::Scene scene = noisy_scene();
   const auto recorded_by = [&](unsigned threads) {
-    simulate::RunControl control;
+    raster::RunControl control;
     control.threads = threads;
     control.stop = record.rules().stop;
     return sarsim::simulate::record(simulate::make_plan(scene, 0, nullptr, simulate::Engine::automatic), control)

@@ -65,8 +65,8 @@ int record(const char* script, const char* file, const char* picture) {
             << std::hex << checksum(recording.samples) << '\n';
   draw(recording, plan.acquisition.reception.columns, picture);
 
-  const sarsim::simulate::Product product = product_of(plan, sarsim::scene::write_script(reading.scene));
-  const std::unique_ptr<sarsim::simulate::Sink> sink =
+  const sarsim::raster::Product product = product_of(plan, sarsim::scene::write_script(reading.scene));
+  const std::unique_ptr<sarsim::raster::Sink> sink =
       sarsim::raster::make_sink(file, product, {sarsim::scene::FileFormat::hdf5});
   run(plan, plan.acquisition.simulation.lsb_v, *sink, {});
   return 0;

@@ -9,7 +9,7 @@
 #include "raster/format/open_raster.hpp"
 #include "scene/model/scene.hpp"
 
-namespace sarsim::raster {
+namespace sarsim::workflow {
 
 /// Which of several names may be that of a file.
 struct NamesAlike {
@@ -26,6 +26,7 @@ struct NamesAlike {
 /// (and then without a format). The number of rows of synthetic range profiles is left open. Nothing where there is
 /// none or where there are several, where its radar and window would not pass `check`, or where its rows are longer
 /// than 2^31 samples. Throws nothing.
-[[nodiscard]] std::optional<RasterHints> hints_from_scene(const scene::Scene& scene, const std::filesystem::path& file);
+[[nodiscard]] std::optional<raster::RasterHints> hints_from_scene(const scene::Scene& scene,
+                                                                  const std::filesystem::path& file);
 
-}  // namespace sarsim::raster
+}  // namespace sarsim::workflow

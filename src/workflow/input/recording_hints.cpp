@@ -1,4 +1,4 @@
-#include "raster/format/recording_hints.hpp"
+#include "workflow/input/recording_hints.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -9,7 +9,7 @@
 #include "simulate/plan/plan.hpp"
 #include "simulate/resolve/resolved.hpp"
 
-namespace sarsim::raster {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -22,7 +22,7 @@ std::string name_in(const std::string& script_path) {
 }
 
 // No file that can be looked at has longer rows.
-constexpr double max_columns = 0x1p31;
+constexpr double max_row_columns = 0x1p31;
 
 struct Shape {
   std::size_t rows = 0;  // 0: not known
@@ -47,7 +47,7 @@ std::optional<Shape> shape_of(const scene::Scene& scene, const scene::Simulation
   const simulate::Link seen_by = simulate::resolve_radar(alone, resolved, 0);
   const bool profiles = simulation.processing == scene::Processing::srp;
   const double columns = profiles ? count * seen_by.carrier.steps() : count;
-  if (!(columns >= 1.0 && columns <= max_columns)) return std::nullopt;
+  if (!(columns >= 1.0 && columns <= max_row_columns)) return std::nullopt;
   const auto pulses = seen_by.repetition.pulses_in(simulation.time_start_s, simulation.time_end_s).count();
   return Shape{profiles ? 0 : static_cast<std::size_t>(pulses), static_cast<std::size_t>(columns)};
 }
@@ -69,7 +69,7 @@ NamesAlike names_alike(const std::vector<std::string>& names, const fs::path& fi
   return alike;
 }
 
-std::optional<RasterHints> hints_from_scene(const scene::Scene& scene, const fs::path& file) {
+std::optional<raster::RasterHints> hints_from_scene(const scene::Scene& scene, const fs::path& file) {
   std::vector<std::string> names;
   for (const scene::Simulation& simulation : scene.simulations) names.push_back(name_in(simulation.file));
   const NamesAlike alike = names_alike(names, file);
@@ -80,7 +80,7 @@ std::optional<RasterHints> hints_from_scene(const scene::Scene& scene, const fs:
   try {
     const auto shape = shape_of(scene, simulation);
     if (!shape) return std::nullopt;
-    RasterHints hints;
+    raster::RasterHints hints;
     hints.columns = shape->columns;
     hints.rows = shape->rows;
     hints.bits = simulation.bits;
@@ -92,4 +92,4 @@ std::optional<RasterHints> hints_from_scene(const scene::Scene& scene, const fs:
   }
 }
 
-}  // namespace sarsim::raster
+}  // namespace sarsim::workflow
