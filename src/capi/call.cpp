@@ -17,9 +17,7 @@ namespace sarsim::capi {
 
 namespace {
 
-core::Problems failure(const char* message, const char* hint = "") {
-  return {core::problem_of(core::Severity::error, message, {}, {}, hint)};
-}
+core::Problems failure(const char* message, const char* hint = "") { return {core::error(message).hint(hint)}; }
 
 // As the command prints it. An object that a program added stands in no file: its kind and number are its place.
 std::string words_of(const core::Problem& problem) {

@@ -138,7 +138,7 @@ void write_raster(const sarsim_raster& known, workflow::ConvertRequest request, 
   request.sample = known.said;
   if (known.path.empty()) request.held = known.samples;
   const workflow::ConvertReport report = workflow::convert(request, observer);
-  std::ranges::copy(report.remarks, std::back_inserter(found));
+  core::append(found, report.remarks);
 }
 
 }  // namespace
@@ -198,7 +198,7 @@ sarsim_status sarsim_raster_open(const char* path, const char* const* options, s
     sarsim_raster*& result = capi::cleared(raster, "sarsim_raster_open: raster");
     const std::string file = &capi::given(path, "sarsim_raster_open: path");
     core::Observer observer = capi::observer_of(capi::work_of(work));
-    observer.remark = [&found](const core::Problems& more) { found.insert(found.end(), more.begin(), more.end()); };
+    observer.remark = [&found](const core::Problems& more) { core::append(found, more); };
     result = new sarsim_raster(capi::raster_of_file(file, said_of(options, option_count), observer));
   });
 }
@@ -351,7 +351,7 @@ sarsim_status sarsim_raster_write(const sarsim_raster* raster, const char* path,
     request.output = &capi::given(path, "sarsim_raster_write: path");
     const sarsim_work how = capi::work_of(work);
     core::Observer observer = capi::observer_of(how);
-    observer.remark = [&found](const core::Problems& more) { found.insert(found.end(), more.begin(), more.end()); };
+    observer.remark = [&found](const core::Problems& more) { core::append(found, more); };
     write_raster(known, std::move(request), observer, found);
   });
 }

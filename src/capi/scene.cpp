@@ -42,11 +42,10 @@ core::WorkControl control_of(const sarsim_scene_options* given) {
 void expect_no_pipe(const std::string& file) {
   std::error_code ignored;
   if (!std::filesystem::is_fifo(file, ignored)) return;
-  core::Problem problem =
-      core::problem_of(core::Severity::error, "the file is a pipe, which may never end", {}, {},
-                       "read it and give its text to sarsim_scene_read_text, or say with options->work how to stop");
-  problem.place.file = file;
-  throw core::InvalidRequest({std::move(problem)});
+  throw core::InvalidRequest(
+      {core::error("the file is a pipe, which may never end")
+           .hint("read it and give its text to sarsim_scene_read_text, or say with options->work how to stop")
+           .in(file)});
 }
 
 // A scene whose text holds no mistake; else all of them, those of the values of sound objects too.

@@ -4,7 +4,6 @@
 #include <complex>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -74,7 +73,7 @@ sarsim_status do_work(const char* name, const sarsim_work* work, sarsim_result**
     sarsim_result*& place = capi::cleared(result, name);
     const sarsim_work how = capi::work_of(work);
     Job job{how, capi::observer_of(how), found};
-    job.observer.remark = [&found](const core::Problems& more) { found.insert(found.end(), more.begin(), more.end()); };
+    job.observer.remark = [&found](const core::Problems& more) { core::append(found, more); };
     body(job);
     job.result.json = core::valid_utf8(job.result.json);
     place = new sarsim_result(std::move(job.result));
@@ -204,7 +203,7 @@ void geometry(Job& job, const sarsim_source* source, const char* const* options,
   hold(request.input, input);
   workflow::GeometryTables made =
       workflow::geometry_tables(request, job.observer.control(core::thread_count(job.how.threads)));
-  std::ranges::move(made.remarks, std::back_inserter(job.found));
+  core::append(job.found, std::move(made.remarks));
   for (const scene::GeometryTable& wanted : made.tables) {
     std::string csv;
     simulate::write_geometry_csv(
@@ -224,7 +223,7 @@ void sweep(Job& job, const sarsim_scene* scene, const char* const* options, std:
   const workflow::SweepFrame frame = workflow::frame_of(request, report.plan, report.status());
   job.result.json = workflow::sweep_json(frame, report.plan.rows);
   job.result.tables.push_back(workflow::sweep_csv(frame, report.plan.rows));
-  std::ranges::copy(workflow::shortened(report.failures), std::back_inserter(job.found));
+  core::append(job.found, workflow::shortened(report.failures));
 }
 
 void export_echoes(Job& job, const sarsim_source* source, const char* const* options, std::size_t count) {

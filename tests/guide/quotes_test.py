@@ -41,12 +41,12 @@ EXPLAINED = [
     "workflow/stepped/isar_scene.cpp",
     "workflow/stepped/stepped_remarks.cpp",
 ]
-# Where a message stands in the sources.
+# Where a message stands in the sources, behind the rule that it is of.
+RULE = r"(?:\"[a-z-]+\.[a-z-]+\",\s*)?"
 MESSAGE = [
     r"\.message\s*=\s*(?:fmt::format\(\s*)?" + STRING,
-    r"Severity::(?:warning|error),\s*(?:\"[a-z_]*\",\s*)?(?:fmt::format\(\s*)?" + STRING,
-    r"stepped_problem\(\s*Severity::\w+,\s*(?:fmt::format\(\s*)?" + STRING,
-    r"\badd\((?:fmt::format\(\s*)?" + STRING,
+    r"core::(?:error|warning)\(\s*" + RULE + r"(?:fmt::format\(\s*)?" + STRING,
+    r"Severity::(?:warning|error),\s*" + RULE + r"(?:fmt::format\(\s*)?" + STRING,
     r"(?:reporter_\.|reader\.)?(?:error|warning|structural_error|pass_over)\([^;\"{]*\{\s*(?:fmt::format\(\s*)?"
     + STRING,
 ]
@@ -72,7 +72,8 @@ def messages_of(source):
     found = []
     for pattern in MESSAGE:
         found += re.findall(pattern, joined(source))
-    return [shape(text) for text in dict.fromkeys(found) if len(text) >= SHORTEST]
+    rule = re.compile(r"[a-z-]+\.[a-z-]+")
+    return [shape(text) for text in dict.fromkeys(found) if len(text) >= SHORTEST and not rule.fullmatch(text)]
 
 
 def quotes_of(page):
@@ -122,7 +123,7 @@ class Checkers(unittest.TestCase):
         self.assertEqual(wrong_quotes(self.PAGE, strings), ["too few"])
 
     def test_a_message_that_is_not_explained_is_found(self):
-        source = 'findings.error("f", {.message = fmt::format("no {} has this name", k)}); add(Severity::warning, "radar",\n"the PRF is too low");'
+        source = 'findings.error("f", {.message = fmt::format("no {} has this name", k)}); core::warning("prf.low",\n"the PRF is too low");'
         self.assertEqual(unexplained(self.PAGE, messages_of(source)), ["the PRF is too low"])
 
     def test_a_guard_that_does_not_exist_is_found(self):

@@ -173,8 +173,7 @@ void expect_used(const PlotArguments& a) {
   core::Problems problems;
   for (const Use& use : uses) {
     if (!use.given || std::ranges::find(use.kinds, a.kind) != use.kinds.end()) continue;
-    core::Problem problem;
-    problem.message = fmt::format("{} means nothing for --kind {}", use.option, word_of(a.kind));
+    core::Problem problem = core::error(fmt::format("{} means nothing for --kind {}", use.option, word_of(a.kind)));
     for (const PlotKind kind : use.kinds) problem.hint += (problem.hint.empty() ? "it is for " : ", ") + word_of(kind);
     problems.push_back(std::move(problem));
   }

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <ostream>
 #include <utility>
@@ -59,7 +57,7 @@ workflow::SceneInput read_scene_to_vary(const SweepArguments& arguments, Streams
     const std::filesystem::path folder = std::filesystem::path(arguments.scene).parent_path();
     core::Problems of_clouds = workflow::read_files_of(input.scene, folder, {threads, streams.stop});
     scene::locate(of_clouds, input.places);
-    std::ranges::move(of_clouds, std::back_inserter(input.problems));
+    core::append(input.problems, std::move(of_clouds));
   }
   expect_usable(input, request.strict);
   if (!arguments.quiet && !arguments.fields) print_problems(streams, input.problems);

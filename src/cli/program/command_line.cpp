@@ -293,7 +293,7 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
   const auto fail = [&](ExitStatus status, const std::string& text, const std::string& hint = {}) {
     write_err(streams, "sarsim: error: " + text + "\n");
     if (!hint.empty()) write_err(streams, "    " + hint + "\n");
-    if (json) write_failure(streams, word_of(status), {core::problem_of(core::Severity::error, text, {}, {}, hint)});
+    if (json) write_failure(streams, word_of(status), {core::error(text).hint(hint)});
     return status;
   };
   try {

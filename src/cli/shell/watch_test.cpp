@@ -15,7 +15,7 @@ TEST(Watch, ShowsStagesProblemsAndAnnouncementsInTheirOrder) {
   const core::Observer observer = watch.observer();
   observer.announces("a.h5: 10 x 20 samples");
   observer.stage("a.h5")({5, 10, 0});
-  observer.remarks({core::problem_of(core::Severity::warning, "the beam is narrow", {}, {}, {})});
+  observer.remarks({core::warning("the beam is narrow")});
   observer.stage("b.h5")({10, 10, 0});
   watch.close();
   const std::string text = err.str();
@@ -38,7 +38,7 @@ TEST(Watch, ShowsNothingWhereQuietButHandsTheStopOn) {
   Watch watch(streams, true);
   const core::Observer observer = watch.observer();
   observer.announces("a line");
-  observer.remarks({core::problem_of(core::Severity::error, "wrong", {}, {}, {})});
+  observer.remarks({core::error("wrong")});
   EXPECT_FALSE(observer.stage("a.h5"));
   EXPECT_EQ(err.str(), "");
   EXPECT_EQ(observer.control(3).stop, &stop);

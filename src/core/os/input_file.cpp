@@ -15,11 +15,7 @@ namespace {
 
 Problem cannot_open(const std::filesystem::path& path, const std::string& why,
                     const char* hint = "give a file that you may read") {
-  Problem problem;
-  problem.message = "cannot read the file: " + why;
-  problem.place.file = path.string();
-  problem.hint = hint;
-  return problem;
+  return error("cannot read the file: " + why).in(path.string()).hint(hint);
 }
 
 }  // namespace

@@ -19,17 +19,16 @@ std::span<const std::byte> bytes_of(std::string_view text) { return std::as_byte
 std::uint64_t size_of_journal(const RawFile& file) {
   const std::uint64_t bytes = file.size();
   if (bytes <= max_journal_bytes) return bytes;
-  Problem problem = problem_of(Severity::error, "the file is too large for a journal", fmt::format("{} bytes", bytes),
-                               fmt::format("at most {}", max_journal_bytes),
-                               "delete this journal: what it lists is then computed again");
-  problem.place.file = file.path().string();
-  throw InvalidRequest(Problems{std::move(problem)});
+  throw InvalidRequest(Problems{error("the file is too large for a journal")
+                                    .found(fmt::format("{} bytes", bytes))
+                                    .expected(fmt::format("at most {}", max_journal_bytes))
+                                    .hint("delete this journal: what it lists is then computed again")
+                                    .in(file.path().string())});
 }
 
 [[noreturn]] void throw_in_use(const std::filesystem::path& path) {
-  Problem problem = problem_of(Severity::error, "another process is adding to this journal", {}, {}, "wait for it");
-  problem.place.file = path.string();
-  throw RetryableError(Problems{std::move(problem)});
+  throw RetryableError(
+      Problems{error("another process is adding to this journal").hint("wait for it").in(path.string())});
 }
 
 }  // namespace

@@ -48,15 +48,18 @@ std::string kind_of(mode_t mode) {
 }
 
 [[noreturn]] void refuse_kind(const fs::path& path, mode_t mode) {
-  refuse(path, problem_of(Severity::error, "this is not a regular file", kind_of(mode), "a regular file",
-                          "move it away, or put the file itself in its place"));
+  refuse(path, error("this is not a regular file")
+                   .found(kind_of(mode))
+                   .expected("a regular file")
+                   .hint("move it away, or put the file itself in its place"));
 }
 
 // What is written in place changes under all names of a file, wherever they are.
 [[noreturn]] void refuse_names(const fs::path& path, nlink_t names) {
-  refuse(path, problem_of(Severity::error, "the file to be written has other names, which would change with it",
-                          fmt::format("{} hard links", names), "a file with one name",
-                          "move it away, or put a copy of it in its place"));
+  refuse(path, error("the file to be written has other names, which would change with it")
+                   .found(fmt::format("{} hard links", names))
+                   .expected("a file with one name")
+                   .hint("move it away, or put a copy of it in its place"));
 }
 
 // Of a name that cannot be opened because of what it stands for.

@@ -13,12 +13,8 @@ namespace sarsim::core {
 struct InvalidRequest : std::runtime_error {
   explicit InvalidRequest(Problems all) : std::runtime_error("the request was refused"), problems(std::move(all)) {}
   /// One error, with a hint where there is one.
-  explicit InvalidRequest(std::string message, std::string hint = {}) : std::runtime_error(message) {
-    Problem problem;
-    problem.message = std::move(message);
-    problem.hint = std::move(hint);
-    problems.push_back(std::move(problem));
-  }
+  explicit InvalidRequest(std::string message, std::string hint = {})
+      : std::runtime_error(message), problems{error(std::move(message)).hint(std::move(hint))} {}
   Problems problems;
 };
 

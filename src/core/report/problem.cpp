@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -97,6 +99,61 @@ std::string bounded(std::string_view text) {
 }
 
 }  // namespace
+
+ProblemBuilder::ProblemBuilder(Severity severity, RuleId id, std::string message) {
+  problem_.severity = severity;
+  problem_.id = id;
+  problem_.message = std::move(message);
+}
+
+ProblemBuilder&& ProblemBuilder::found(std::string text) && {
+  problem_.found = std::move(text);
+  return std::move(*this);
+}
+
+ProblemBuilder&& ProblemBuilder::expected(std::string text) && {
+  problem_.expected = std::move(text);
+  return std::move(*this);
+}
+
+ProblemBuilder&& ProblemBuilder::hint(std::string text) && {
+  problem_.hint = std::move(text);
+  return std::move(*this);
+}
+
+ProblemBuilder&& ProblemBuilder::at(std::string kind, std::size_t index, std::string field) && {
+  return std::move(*this).at(Subject{std::move(kind), index, std::move(field)});
+}
+
+ProblemBuilder&& ProblemBuilder::at(Subject subject) && {
+  problem_.subject = std::move(subject);
+  return std::move(*this);
+}
+
+ProblemBuilder&& ProblemBuilder::in(std::string file, std::size_t line, std::size_t column) && {
+  return std::move(*this).in(Place{std::move(file), line, column});
+}
+
+ProblemBuilder&& ProblemBuilder::in(Place place) && {
+  problem_.place = std::move(place);
+  return std::move(*this);
+}
+
+ProblemBuilder&& ProblemBuilder::times(std::size_t count) && {
+  problem_.count = count;
+  return std::move(*this);
+}
+
+ProblemBuilder::operator Problem() && { return std::move(problem_); }
+
+ProblemBuilder error(std::string message) { return {Severity::error, std::move(message)}; }
+ProblemBuilder warning(std::string message) { return {Severity::warning, std::move(message)}; }
+ProblemBuilder note(std::string message) { return {Severity::note, std::move(message)}; }
+ProblemBuilder error(RuleId id, std::string message) { return {Severity::error, id, std::move(message)}; }
+ProblemBuilder warning(RuleId id, std::string message) { return {Severity::warning, id, std::move(message)}; }
+ProblemBuilder note(RuleId id, std::string message) { return {Severity::note, id, std::move(message)}; }
+
+void append(Problems& problems, Problems more) { std::ranges::move(more, std::back_inserter(problems)); }
 
 bool has_errors(const Problems& problems) {
   return std::ranges::any_of(problems, [](const Problem& p) { return p.severity == Severity::error; });

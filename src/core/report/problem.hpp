@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,22 @@ struct Subject {
   friend bool operator==(const Subject&, const Subject&) = default;
 };
 
+/// The rule that a problem breaks, as "prf.below-doppler-band": what it is about, and what is wrong there. It stays
+/// where words change, and no output shows it. Only literals, which outlive every problem, are names.
+class RuleId {
+ public:
+  constexpr RuleId() = default;
+  consteval RuleId(const char* name) : name_(name) {}  // NOLINT: a literal in place of a rule
+
+  /// Empty where no rule is broken: what a reader cannot read.
+  [[nodiscard]] constexpr std::string_view name() const { return name_; }
+
+  friend bool operator==(const RuleId&, const RuleId&) = default;
+
+ private:
+  std::string_view name_;
+};
+
 /// One thing that is wrong, or worth knowing, about what a user supplied.
 struct Problem {
   Severity severity = Severity::error;
@@ -39,21 +56,46 @@ struct Problem {
   Place place;            ///< Where it stands; filled by the script reader.
   Subject subject;        ///< Which object and field; filled by scene checks and the script reader.
   std::size_t count = 1;  ///< How often the same cause was met.
+  RuleId id = {};         ///< Of checks of scenes, surveys and remarks; not of readers.
 };
 
 using Problems = std::vector<Problem>;
 
-/// A problem of no certain place and object.
-[[nodiscard]] inline Problem problem_of(Severity severity, std::string message, std::string found, std::string expected,
-                                        std::string hint) {
-  Problem problem;
-  problem.severity = severity;
-  problem.message = std::move(message);
-  problem.found = std::move(found);
-  problem.expected = std::move(expected);
-  problem.hint = std::move(hint);
-  return problem;
-}
+/// A problem that is put together part by part, as in
+/// `core::warning("the PRF is low").found("90 Hz").expected("at least 200 Hz").at("radar", 0, "prf_hz")`,
+/// and becomes one where one is wanted. What is not said stays empty.
+class ProblemBuilder {
+ public:
+  ProblemBuilder(Severity severity, std::string message) : ProblemBuilder(severity, {}, std::move(message)) {}
+  ProblemBuilder(Severity severity, RuleId id, std::string message);
+
+  ProblemBuilder&& found(std::string text) &&;
+  ProblemBuilder&& expected(std::string text) &&;
+  ProblemBuilder&& hint(std::string text) &&;
+  /// Which object and field it concerns.
+  ProblemBuilder&& at(std::string kind, std::size_t index, std::string field) &&;
+  ProblemBuilder&& at(Subject subject) &&;
+  /// Where it stands.
+  ProblemBuilder&& in(std::string file, std::size_t line = 0, std::size_t column = 0) &&;
+  ProblemBuilder&& in(Place place) &&;
+  /// How often the same cause was met.
+  ProblemBuilder&& times(std::size_t count) &&;
+
+  operator Problem() &&;  // NOLINT: a builder is a problem in the making
+
+ private:
+  Problem problem_;
+};
+
+[[nodiscard]] ProblemBuilder error(std::string message);
+[[nodiscard]] ProblemBuilder warning(std::string message);
+[[nodiscard]] ProblemBuilder note(std::string message);
+[[nodiscard]] ProblemBuilder error(RuleId id, std::string message);
+[[nodiscard]] ProblemBuilder warning(RuleId id, std::string message);
+[[nodiscard]] ProblemBuilder note(RuleId id, std::string message);
+
+/// Adds what was found elsewhere, behind everything in a list.
+void append(Problems& problems, Problems more);
 
 /// True where at least one problem is an error.
 [[nodiscard]] bool has_errors(const Problems& problems);

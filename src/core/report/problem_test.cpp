@@ -62,6 +62,50 @@ TEST(Problem, PrintsItsCountAndItsHintOnALineOfItsOwn) {
   EXPECT_EQ(to_string(p), "note: seen (3 times)\n    Look again.");
 }
 
+TEST(ProblemBuilder, SaysWhatItIsToldAndLeavesTheRestEmpty) {
+  const Problem p = warning("the PRF is low")
+                        .found("90 Hz")
+                        .expected("200 Hz")
+                        .hint("raise it")
+                        .at("radar", 2, "prf_hz")
+                        .in("a.scr", 4, 7)
+                        .times(3);
+  EXPECT_EQ(p.severity, Severity::warning);
+  EXPECT_EQ(to_string(p), "a.scr:4:7: warning: the PRF is low; found '90 Hz', expected 200 Hz (3 times)\n    raise it");
+  EXPECT_EQ(p.subject, (Subject{"radar", 2, "prf_hz"}));
+  const Problem bare = note("so");
+  EXPECT_EQ(to_string(bare), "note: so");
+  EXPECT_EQ(bare.subject, Subject{});
+  EXPECT_EQ(bare.place, Place{});
+  EXPECT_EQ(bare.count, 1U);
+}
+
+TEST(ProblemBuilder, TakesObjectAndPlaceWhole) {
+  const Problem p = error("wrong").at(Subject{"cloud", 1, "file"}).in(Place{"b.toml", 3, 2});
+  EXPECT_EQ(p.severity, Severity::error);
+  EXPECT_EQ(p.subject, (Subject{"cloud", 1, "file"}));
+  EXPECT_EQ(p.place, (Place{"b.toml", 3, 2}));
+}
+
+TEST(ProblemBuilder, KeepsTheRuleAndShowsItNowhere) {
+  const Problem p = warning("prf.low", "the PRF is low").found("90 Hz");
+  EXPECT_EQ(p.id.name(), "prf.low");
+  EXPECT_EQ(to_string(p), "warning: the PRF is low; found '90 Hz'");
+  EXPECT_EQ(Problem(error("unreadable")).id.name(), "");
+  EXPECT_EQ(Problem(ProblemBuilder(Severity::note, "echoes.late", "late")).id.name(), "echoes.late");
+  EXPECT_EQ(Problem(error("a.b", "c")).severity, Severity::error);
+  EXPECT_EQ(Problem(note("a.b", "c")).severity, Severity::note);
+}
+
+TEST(ProblemBuilder, BecomesAProblemOfAList) {
+  Problems problems{error("a")};
+  problems.push_back(ProblemBuilder(Severity::note, "b"));
+  append(problems, {warning("c"), note("d")});
+  std::string all;
+  for (const Problem& p : problems) all += to_string(p) + "\n";
+  EXPECT_EQ(all, "error: a\nnote: b\nwarning: c\nnote: d\n");
+}
+
 TEST(Problems, HaveErrorsOnlyWhereOneIsAnError) {
   EXPECT_FALSE(has_errors({}));
   EXPECT_FALSE(has_errors({problem(Severity::warning, "a"), problem(Severity::note, "b")}));

@@ -1,8 +1,5 @@
 #include "gui/frame/problem_watch.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 #include "scene/script/reader.hpp"
 #include "simulate/survey/survey.hpp"
 #include "workflow/check/command_remarks.hpp"
@@ -66,7 +63,7 @@ void ProblemWatch::look_at_echoes() {
     simulate::SurveyReport report = simulate::survey_report(*scene, resolved, control);
     found->problems = std::move(report.problems);
     if (!core::has_errors(found->problems))
-      std::ranges::move(workflow::diagnose_commands(*scene, resolved, control), std::back_inserter(found->problems));
+      core::append(found->problems, workflow::diagnose_commands(*scene, resolved, control));
     for (const simulate::EchoSummary& summary : report.summaries)
       found->echoes += QString::fromStdString(workflow::echo_text(*scene, summary));
   });
@@ -84,7 +81,7 @@ void ProblemWatch::collect() {
   if (!core::has_errors(problems_)) {
     of_echoes_ = surveyed_[session_.number()].problems;
     scene::locate(of_echoes_, session_.document().places());
-    std::ranges::copy(of_echoes_, std::back_inserter(problems_));
+    core::append(problems_, of_echoes_);
     problems_ = core::ranked(std::move(problems_));
   }
   emit changed();

@@ -159,7 +159,7 @@ void ImageViewer::take_places() {
     algorithm_ = QString::fromStdString(workflow::algorithm_said(path_));
     show_title();
   } catch (const core::InvalidRequest& refused) {
-    open_problems_.insert(open_problems_.end(), refused.problems.begin(), refused.problems.end());
+    core::append(open_problems_, refused.problems);
   } catch (const std::exception& error) {
     read_failure_ = QString::fromUtf8(error.what());
   }

@@ -11,7 +11,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "gui/common/find_bar.hpp"
@@ -301,7 +300,7 @@ void ScriptEditor::commit() {
 core::Problems ScriptEditor::listed_problems() const {
   core::Problems found = session_.problems();
   if (of_echoes_.empty() || core::has_errors(found)) return found;
-  std::ranges::copy(of_echoes_, std::back_inserter(found));
+  core::append(found, of_echoes_);
   return core::ranked(std::move(found));
 }
 

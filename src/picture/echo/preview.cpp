@@ -23,11 +23,7 @@ constexpr auto between_events = std::chrono::milliseconds(30);
 // Longer rows of raw data are long (LongRows).
 constexpr double longest_row = 0x1p20;
 
-core::Problem failure(std::string message) {
-  core::Problem problem;
-  problem.message = std::move(message);
-  return problem;
-}
+core::Problem failure(std::string message) { return core::error(std::move(message)); }
 
 // Errors that stop a recording of one radar.
 core::Problems errors_for(core::Problems problems, std::size_t radar) {

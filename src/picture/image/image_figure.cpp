@@ -202,13 +202,12 @@ void add_curves(FigurePanel& panel, const ShownSamples& seen, const Extent& acro
 }
 
 core::Problem remark_on(const NotFinite& samples, const raster::Raster& source) {
-  core::Problem problem = core::problem_of(
-      core::Severity::warning, fmt::format("{} of the samples are not finite; nothing is drawn of them", samples.count),
-      fmt::format("row {}, sample {} (from 0){}", samples.row, samples.column,
-                  samples.count > 1 ? ", the first of them" : ""),
-      "finite numbers", "sarsim info --statistics says how many such samples there are");
-  problem.place.file = source.info().path.string();
-  return problem;
+  return core::warning(fmt::format("{} of the samples are not finite; nothing is drawn of them", samples.count))
+      .found(fmt::format("row {}, sample {} (from 0){}", samples.row, samples.column,
+                         samples.count > 1 ? ", the first of them" : ""))
+      .expected("finite numbers")
+      .hint("sarsim info --statistics says how many such samples there are")
+      .in(source.info().path.string());
 }
 
 std::size_t curves_in(std::size_t pixels) {

@@ -270,11 +270,7 @@ std::optional<SamplePlace> summit_near(const raster::Raster& plane, SamplePlace 
 }
 
 core::Problem no_point(const std::string& message, std::size_t row, std::size_t column, const std::string& hint = {}) {
-  core::Problem problem;
-  problem.message = message;
-  problem.found = fmt::format("row {}, column {}", row, column);
-  problem.hint = hint;
-  return problem;
+  return core::error(message).found(fmt::format("row {}, column {}", row, column)).hint(hint);
 }
 
 }  // namespace

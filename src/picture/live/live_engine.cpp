@@ -1,7 +1,5 @@
 #include "picture/live/live_engine.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -72,9 +70,9 @@ FocusedPixels focused(workflow::FocusPipeline begun, const Making& making) {
 void add_targets(FocusedPixels& pixels, const Making& making) {
   const std::size_t count = making.request.scene->targets.size();
   if (count > max_ringed_targets) {
-    pixels.image.problems.push_back(core::problem_of(core::Severity::note, "there are too many targets for rings",
-                                                     std::to_string(count),
-                                                     fmt::format("at most {}", max_ringed_targets), {}));
+    pixels.image.problems.push_back(core::note("there are too many targets for rings")
+                                        .found(std::to_string(count))
+                                        .expected(fmt::format("at most {}", max_ringed_targets)));
     return;
   }
   for (const workflow::TargetTheory& target : workflow::targets_on_image(pixels.begun, pixels.axes, making.control))
@@ -203,9 +201,8 @@ struct LiveEngine::Focusing {
     pixels.image.cost.echoes = held.take_echoes();
     making.coarse(pixels.image);
     if (request.options.targets) add_targets(pixels, making);
-    std::ranges::move(
-        workflow::diagnose_image(std::move(pixels.begun), std::move(pixels.ended), pixels.axes, making.control),
-        std::back_inserter(pixels.image.problems));
+    core::append(pixels.image.problems, workflow::diagnose_image(std::move(pixels.begun), std::move(pixels.ended),
+                                                                 pixels.axes, making.control));
     return std::move(pixels.image);
   }
 };

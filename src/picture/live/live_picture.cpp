@@ -33,7 +33,7 @@ void LivePicture::compute(const LiveRequest& request, std::uint64_t number, cons
   } catch (const simulate::ImpossibleEcho& echo) {
     fail({echo.problem});
   } catch (const std::exception& failure) {
-    fail({core::problem_of(core::Severity::error, failure.what(), {}, {}, {})});
+    fail({core::error(failure.what())});
   }
 }
 

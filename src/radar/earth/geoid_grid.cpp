@@ -21,34 +21,33 @@ double snap_deg(double step_deg) { return std::min(snap_steps * step_deg, 0.1); 
 
 using Fault = std::optional<core::Problem>;
 
-core::Problem grid_problem(std::string message, std::string found, std::string expected, std::string hint = {}) {
-  return core::problem_of(core::Severity::error, std::move(message), std::move(found), std::move(expected),
-                          std::move(hint));
-}
-
 Fault fault_of_lattice(const GeoidLattice& lattice) {
   if (lattice.rows < 2 || lattice.columns < 2)
-    return grid_problem("the grid of the geoid is too small",
-                        fmt::format("{} rows, {} columns", lattice.rows, lattice.columns), "at least 2 of each");
+    return core::error("the grid of the geoid is too small")
+        .found(fmt::format("{} rows, {} columns", lattice.rows, lattice.columns))
+        .expected("at least 2 of each");
   for (const double value :
        {lattice.first_latitude_deg, lattice.latitude_step_deg, lattice.first_longitude_deg, lattice.longitude_step_deg})
     if (!(std::abs(value) <= 1e6))
-      return grid_problem("the place of the grid is not known", fmt::format("{}", value), "degrees");
+      return core::error("the place of the grid is not known").found(fmt::format("{}", value)).expected("degrees");
   const double step_deg = std::abs(lattice.latitude_step_deg);
   if (!(step_deg > 0.0) || !(lattice.longitude_step_deg > 0.0))
-    return grid_problem("the grid of the geoid has no step",
-                        fmt::format("{} and {} deg", lattice.latitude_step_deg, lattice.longitude_step_deg),
-                        "steps in latitude and longitude above 0");
+    return core::error("the grid of the geoid has no step")
+        .found(fmt::format("{} and {} deg", lattice.latitude_step_deg, lattice.longitude_step_deg))
+        .expected("steps in latitude and longitude above 0");
   const double last_deg =
       lattice.first_latitude_deg + static_cast<double>(lattice.rows - 1) * lattice.latitude_step_deg;
   if (!(std::max(std::abs(lattice.first_latitude_deg), std::abs(last_deg)) <= 90.0 + snap_deg(step_deg)))
-    return grid_problem("the rows of the grid reach beyond a pole",
-                        fmt::format("{} to {} deg", lattice.first_latitude_deg, last_deg), "within -90 and 90 deg",
-                        "are the rows and the columns of the file in this order, and in degrees?");
+    return core::error("the rows of the grid reach beyond a pole")
+        .found(fmt::format("{} to {} deg", lattice.first_latitude_deg, last_deg))
+        .expected("within -90 and 90 deg")
+        .hint("are the rows and the columns of the file in this order, and in degrees?");
   const double turn_deg = static_cast<double>(lattice.columns - 1) * lattice.longitude_step_deg;
   if (!(turn_deg <= 360.0 + snap_deg(lattice.longitude_step_deg)))
-    return grid_problem("the columns of the grid go around the Earth more than once", fmt::format("{} deg", turn_deg),
-                        "at most 360 deg", "correct the step or the number of columns");
+    return core::error("the columns of the grid go around the Earth more than once")
+        .found(fmt::format("{} deg", turn_deg))
+        .expected("at most 360 deg")
+        .hint("correct the step or the number of columns");
   return std::nullopt;
 }
 
@@ -68,16 +67,18 @@ bool is_float(const GeoidValues& values) { return std::holds_alternative<std::ve
 Fault fault_of_values(const GeoidLattice& lattice, const GeoidValues& values) {
   const std::size_t count = count_of(values);
   if (count / lattice.columns != lattice.rows || count % lattice.columns != 0)
-    return grid_problem("the grid has another number of values than nodes", fmt::format("{} values", count),
-                        fmt::format("{} rows of {}", lattice.rows, lattice.columns));
+    return core::error("the grid has another number of values than nodes")
+        .found(fmt::format("{} values", count))
+        .expected(fmt::format("{} rows of {}", lattice.rows, lattice.columns));
   for (std::size_t i = 0; i < count; ++i) {
     const double value_m = value_at(values, i);
     const bool missing = std::isnan(value_m) && is_float(values);
     if (missing || std::abs(value_m) <= largest_undulation_m) continue;
-    return grid_problem(
-        fmt::format("no geoid is so high (row {}, column {})", i / lattice.columns + 1, i % lattice.columns + 1),
-        fmt::format("{:.6g} m", value_m), fmt::format("at most {} m", largest_undulation_m),
-        "are these undulations in m, and is the mark of missing values the right one?");
+    return core::error(
+               fmt::format("no geoid is so high (row {}, column {})", i / lattice.columns + 1, i % lattice.columns + 1))
+        .found(fmt::format("{:.6g} m", value_m))
+        .expected(fmt::format("at most {} m", largest_undulation_m))
+        .hint("are these undulations in m, and is the mark of missing values the right one?");
   }
   return std::nullopt;
 }

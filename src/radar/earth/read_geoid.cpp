@@ -17,8 +17,6 @@ namespace sarsim::radar {
 
 namespace {
 
-using geoid::file_problem;
-
 constexpr std::size_t gtx_header_bytes = 40;
 
 // A number with its highest byte first.
@@ -90,38 +88,49 @@ std::variant<GeoidGrid, core::Problem> read_geoid(std::string_view bytes, const 
     case GeoidFormat::ascii: return read_geoid_ascii(bytes, name);
     case GeoidFormat::unknown: break;
   }
-  return file_problem(name, 0, "the file is no grid of the geoid that could be read",
-                      fmt::format("{} bytes", bytes.size()),
-                      "GeographicLib's PGM (begins with P5), NOAA's GTX, or an ASCII grid (begins with ncols)",
-                      "a GTX file that was cut off is not known as one: compare its length with the original's");
+  return core::error("the file is no grid of the geoid that could be read")
+      .found(fmt::format("{} bytes", bytes.size()))
+      .expected("GeographicLib's PGM (begins with P5), NOAA's GTX, or an ASCII grid (begins with ncols)")
+      .hint("a GTX file that was cut off is not known as one: compare its length with the original's")
+      .in(name);
 }
 
 std::variant<GeoidGrid, core::Problem> read_geoid_gtx(std::string_view bytes, const std::string& name) {
   constexpr float no_value = -88.8888F;
   const std::optional<GtxHeader> header = gtx_header(bytes);
   if (!header)
-    return file_problem(name, 0, "the GTX file ends within its header", fmt::format("{} bytes", bytes.size()),
-                        fmt::format("at least {}", gtx_header_bytes), "the file may be cut off");
+    return core::error("the GTX file ends within its header")
+        .found(fmt::format("{} bytes", bytes.size()))
+        .expected(fmt::format("at least {}", gtx_header_bytes))
+        .hint("the file may be cut off")
+        .in(name);
   const std::uint64_t count = header->values();
   if (count == 0)
-    return file_problem(name, 0, "the numbers of rows and columns cannot be",
-                        fmt::format("{} and {}", header->rows, header->columns), "numbers above 0",
-                        "is this a GTX file with the highest byte first?");
+    return core::error("the numbers of rows and columns cannot be")
+        .found(fmt::format("{} and {}", header->rows, header->columns))
+        .expected("numbers above 0")
+        .hint("is this a GTX file with the highest byte first?")
+        .in(name);
   const std::size_t data_bytes = bytes.size() - gtx_header_bytes;
   if (data_bytes / sizeof(float) != count || data_bytes % sizeof(float) != 0)
-    return file_problem(name, 0, "the GTX file does not hold as many values as its header says",
-                        fmt::format("{} bytes behind the header", data_bytes),
-                        fmt::format("{} rows of {} values of 4 bytes", header->rows, header->columns),
-                        "the file may be cut off, or hold something else at its end");
+    return core::error("the GTX file does not hold as many values as its header says")
+        .found(fmt::format("{} bytes behind the header", data_bytes))
+        .expected(fmt::format("{} rows of {} values of 4 bytes", header->rows, header->columns))
+        .hint("the file may be cut off, or hold something else at its end")
+        .in(name);
   if (!(header->lattice.latitude_step_deg > 0.0))
-    return file_problem(name, 0, "the step of the latitude is not above 0",
-                        fmt::format("{} deg", header->lattice.latitude_step_deg), "rows from the south to the north");
+    return core::error("the step of the latitude is not above 0")
+        .found(fmt::format("{} deg", header->lattice.latitude_step_deg))
+        .expected("rows from the south to the north")
+        .in(name);
   std::vector<float> values(count);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto value = std::bit_cast<float>(bits_at<std::uint32_t>(bytes, gtx_header_bytes + sizeof(float) * i));
     if (!std::isfinite(value))
-      return file_problem(name, 0, fmt::format("value {} of the GTX file is not finite", i + 1),
-                          fmt::format("{}", value), "an undulation in m, or -88.8888 for none");
+      return core::error(fmt::format("value {} of the GTX file is not finite", i + 1))
+          .found(fmt::format("{}", value))
+          .expected("an undulation in m, or -88.8888 for none")
+          .in(name);
     values[i] = std::abs(value - no_value) < 1e-3F ? std::numeric_limits<float>::quiet_NaN() : value;
   }
   GeoidLattice lattice = header->lattice;

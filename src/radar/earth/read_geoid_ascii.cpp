@@ -17,7 +17,6 @@ namespace sarsim::radar {
 
 namespace {
 
-using geoid::file_problem;
 using geoid::Reading;
 
 constexpr double max_nodes_of_side = 1e6;
@@ -46,8 +45,8 @@ class AsciiGrid {
   }
 
  private:
-  core::Problem fault(std::string message, std::string found, std::string expected, std::string hint = {}) const {
-    return file_problem(name_, line_, std::move(message), std::move(found), std::move(expected), std::move(hint));
+  [[nodiscard]] core::ProblemBuilder fault(std::string message) const {
+    return core::error(std::move(message)).in(name_, line_);
   }
   [[nodiscard]] std::size_t count(Entry entry) const { return static_cast<std::size_t>(*entry_[entry]); }
 
@@ -73,39 +72,44 @@ class AsciiGrid {
       std::size_t known = 0;
       while (known < entries && !core::equal_ignoring_case(key, keys[known])) ++known;
       if (known == entries)
-        return fault("the word is not known in the header of an ASCII grid", core::quoted_word(key),
-                     "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, NODATA_value",
-                     "cells must have one size in latitude and longitude");
+        return fault("the word is not known in the header of an ASCII grid")
+            .found(core::quoted_word(key))
+            .expected("ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, NODATA_value")
+            .hint("cells must have one size in latitude and longitude");
       if (entry_[known])
-        return fault(fmt::format("{} stands twice", keys[known]), core::quoted_word(key), "one of each");
+        return fault(fmt::format("{} stands twice", keys[known])).found(core::quoted_word(key)).expected("one of each");
       const std::string_view value = word();
       entry_[known] = core::parse_number(value);
       if (!entry_[known])
-        return fault(fmt::format("{} is not a number", keys[known]), core::quoted_word(value), "a finite number");
+        return fault(fmt::format("{} is not a number", keys[known]))
+            .found(core::quoted_word(value))
+            .expected("a finite number");
     }
   }
 
   std::optional<core::Problem> fault_of_header() const {
     for (const Entry side : {columns, rows}) {
       const std::optional<double>& number = entry_[side];
-      if (!number) return fault(fmt::format("{} is missing", keys[side]), "", "a line with it before the values");
+      if (!number) return fault(fmt::format("{} is missing", keys[side])).expected("a line with it before the values");
       const bool whole = *number >= 1.0 && *number <= max_nodes_of_side &&
                          *number == static_cast<double>(static_cast<std::int64_t>(*number));
       if (!whole)
-        return fault(fmt::format("{} is no number of nodes", keys[side]), fmt::format("{}", *number),
-                     fmt::format("a whole number from 1 to {}", max_nodes_of_side));
+        return fault(fmt::format("{} is no number of nodes", keys[side]))
+            .found(fmt::format("{}", *number))
+            .expected(fmt::format("a whole number from 1 to {}", max_nodes_of_side));
     }
-    if (!entry_[cell]) return fault("cellsize is missing", "", "a line with it before the values, in degrees");
+    if (!entry_[cell]) return fault("cellsize is missing").expected("a line with it before the values, in degrees");
     if (entry_[x_corner].has_value() == entry_[x_centre].has_value() ||
         entry_[y_corner].has_value() == entry_[y_centre].has_value())
-      return fault("the place of the grid is not clear", "",
-                   "one of xllcorner and xllcenter, and one of yllcorner and yllcenter");
+      return fault("the place of the grid is not clear")
+          .expected("one of xllcorner and xllcenter, and one of yllcorner and yllcenter");
     // A value and the blank before it take two bytes, so that wrong counts cannot ask for more memory than there is.
     const std::size_t most = (text_.size() - at_) / 2;
     if (count(rows) * count(columns) > most)
-      return fault("the file is too short for its numbers of rows and columns",
-                   fmt::format("{} bytes of values", text_.size() - at_),
-                   fmt::format("{} rows of {} values", count(rows), count(columns)), "the file may be cut off");
+      return fault("the file is too short for its numbers of rows and columns")
+          .found(fmt::format("{} bytes of values", text_.size() - at_))
+          .expected(fmt::format("{} rows of {} values", count(rows), count(columns)))
+          .hint("the file may be cut off");
     return std::nullopt;
   }
 
@@ -116,20 +120,26 @@ class AsciiGrid {
     for (std::size_t i = 0; i < all; ++i) {
       const std::string_view text = word();
       if (text.empty())
-        return fault("the values end early", fmt::format("{} values", i),
-                     fmt::format("{} rows of {}", count(rows), count(columns)), "the file may be cut off");
+        return fault("the values end early")
+            .found(fmt::format("{} values", i))
+            .expected(fmt::format("{} rows of {}", count(rows), count(columns)))
+            .hint("the file may be cut off");
       const std::optional<double> value = core::parse_number(text);
       if (!value)
-        return fault("a value is not a number", core::quoted_word(text), "a finite number in m",
-                     text.find(',') == std::string_view::npos ? "" : "write a point, not a comma");
+        return fault("a value is not a number")
+            .found(core::quoted_word(text))
+            .expected("a finite number in m")
+            .hint(text.find(',') == std::string_view::npos ? "" : "write a point, not a comma");
       // A float holds no larger ones; `GeoidGrid` refuses much smaller ones.
       if (*value != none && !(std::abs(*value) <= 1e30))
-        return fault("a value is too large", core::quoted_word(text), "an undulation in m");
+        return fault("a value is too large").found(core::quoted_word(text)).expected("an undulation in m");
       values_.push_back(*value == none ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(*value));
     }
     if (const std::string_view rest = word(); !rest.empty())
-      return fault("there is more in the file than its values", core::quoted_word(rest),
-                   fmt::format("an end after {} values", all), "correct ncols and nrows");
+      return fault("there is more in the file than its values")
+          .found(core::quoted_word(rest))
+          .expected(fmt::format("an end after {} values", all))
+          .hint("correct ncols and nrows");
     return std::nullopt;
   }
 

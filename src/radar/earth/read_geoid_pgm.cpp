@@ -14,8 +14,6 @@ namespace sarsim::radar {
 
 namespace {
 
-using geoid::file_problem;
-
 constexpr std::int64_t max_pgm_nodes = 1'000'000;
 
 // The header of the picture: words between blanks, and comments from # to the end of their line.
@@ -25,19 +23,22 @@ class PgmHeader {
 
   // Reads it; a fault stops the reading.
   std::optional<core::Problem> read() {
-    if (word() != "P5") return fault("the file is not a PGM of bytes", clipped_word(), "P5 at its beginning");
+    if (word() != "P5")
+      return fault("the file is not a PGM of bytes").found(clipped_word()).expected("P5 at its beginning");
     for (std::int64_t* const number : {&width, &height, &levels}) {
       const std::string_view text = word();
       if (problem_) return std::move(problem_);
       const std::optional<std::int64_t> value = core::parse_integer(text);
       if (!value || *value < 1 || *value > max_pgm_nodes)
-        return fault("the header of the PGM has no such number", clipped_word(),
-                     "the width, the height and 65535, each a number above 0");
+        return fault("the header of the PGM has no such number")
+            .found(clipped_word())
+            .expected("the width, the height and 65535, each a number above 0");
       *number = *value;
     }
     if (at_ >= bytes_.size() || !core::is_blank(bytes_[at_]))
-      return fault("the PGM ends with its header", "", "one blank or line end, then the pixels",
-                   "the file may be cut off");
+      return fault("the PGM ends with its header")
+          .expected("one blank or line end, then the pixels")
+          .hint("the file may be cut off");
     ++at_;
     return fault_of_content();
   }
@@ -51,8 +52,8 @@ class PgmHeader {
   std::optional<double> scale_m;
 
  private:
-  core::Problem fault(std::string message, std::string found, std::string expected, std::string hint = {}) const {
-    return file_problem(name_, line_, std::move(message), std::move(found), std::move(expected), std::move(hint));
+  [[nodiscard]] core::ProblemBuilder fault(std::string message) const {
+    return core::error(std::move(message)).in(name_, line_);
   }
   [[nodiscard]] std::string clipped_word() const { return core::quoted_word(word_); }
 
@@ -83,36 +84,45 @@ class PgmHeader {
     if (key == "Offset") return take_number(key, value, offset_m);
     if (key == "Scale") return take_number(key, value, scale_m);
     if (key == "Origin" && value != "90N 0E")
-      problem_ = fault("the picture begins at another place", core::quoted_word(value), "Origin 90N 0E");
+      problem_ = fault("the picture begins at another place").found(core::quoted_word(value)).expected("Origin 90N 0E");
     if (key == "AREA_OR_POINT" && value != "Point")
-      problem_ = fault("the pixels are not points", core::quoted_word(value), "AREA_OR_POINT Point");
+      problem_ = fault("the pixels are not points").found(core::quoted_word(value)).expected("AREA_OR_POINT Point");
   }
 
   void take_number(std::string_view key, std::string_view value, std::optional<double>& number) {
     if (number) {
-      problem_ = fault(fmt::format("{} stands twice in the header", key), core::quoted_word(value), "one value");
+      problem_ = fault(fmt::format("{} stands twice in the header", key))
+                     .found(core::quoted_word(value))
+                     .expected("one value");
       return;
     }
     number = core::parse_number(value);
-    if (!number) problem_ = fault(fmt::format("{} is not a number", key), core::quoted_word(value), "a number in m");
+    if (!number)
+      problem_ =
+          fault(fmt::format("{} is not a number", key)).found(core::quoted_word(value)).expected("a number in m");
   }
 
   std::optional<core::Problem> fault_of_content() const {
     if (levels != 65535)
-      return fault("the pixels of the PGM do not have 16 bits", fmt::format("{} levels", levels), "65535");
+      return fault("the pixels of the PGM do not have 16 bits")
+          .found(fmt::format("{} levels", levels))
+          .expected("65535");
     if (!offset_m || !scale_m)
-      return fault("the header does not say how pixels become heights", "",
-                   "the comments \"# Offset\" and \"# Scale\", in m",
-                   "only PGM files of GeographicLib hold geoids, not other pictures");
-    if (!(*scale_m > 0.0)) return fault("Scale is not above 0", fmt::format("{}", *scale_m), "m for each level");
+      return fault("the header does not say how pixels become heights")
+          .expected("the comments \"# Offset\" and \"# Scale\", in m")
+          .hint("only PGM files of GeographicLib hold geoids, not other pictures");
+    if (!(*scale_m > 0.0))
+      return fault("Scale is not above 0").found(fmt::format("{}", *scale_m)).expected("m for each level");
     if (width % 2 != 0 || height % 2 != 1 || height < 3)
-      return fault("the picture does not cover the Earth from pole to pole", fmt::format("{} x {}", width, height),
-                   "an even width and an odd height of at least 3");
+      return fault("the picture does not cover the Earth from pole to pole")
+          .found(fmt::format("{} x {}", width, height))
+          .expected("an even width and an odd height of at least 3");
     const std::size_t expected = 2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     if (pixels().size() != expected)
-      return fault(pixels().size() < expected ? "the PGM file is cut off" : "there is more than pixels in the PGM file",
-                   fmt::format("{} bytes of pixels", pixels().size()),
-                   fmt::format("{} for {} x {}", expected, width, height), "get the file again");
+      return fault(pixels().size() < expected ? "the PGM file is cut off" : "there is more than pixels in the PGM file")
+          .found(fmt::format("{} bytes of pixels", pixels().size()))
+          .expected(fmt::format("{} for {} x {}", expected, width, height))
+          .hint("get the file again");
     return std::nullopt;
   }
 

@@ -62,27 +62,26 @@ MovingQuaternion moving_quaternion(const std::array<core::Interpolator, 4>& part
 
 Components components(const Quaternion& q) { return {q.w, q.x, q.y, q.z}; }
 
-core::Problem attitude_problem(std::string message, std::string found, std::string expected) {
-  return core::problem_of(core::Severity::error, std::move(message), std::move(found), std::move(expected), {});
-}
-
 std::optional<core::Problem> fault_of_attitudes(const AttitudeSamples& samples) {
   const std::size_t count = samples.time_s.size();
-  if (count == 0) return attitude_problem("there are no attitudes", "0 attitudes", "1 or more");
+  if (count == 0) return core::error("there are no attitudes").found("0 attitudes").expected("1 or more");
   if (samples.world_from_platform.size() != count)
-    return attitude_problem("attitudes and times differ in number",
-                            fmt::format("{}", samples.world_from_platform.size()), fmt::format("{}", count));
+    return core::error("attitudes and times differ in number")
+        .found(fmt::format("{}", samples.world_from_platform.size()))
+        .expected(fmt::format("{}", count));
   for (std::size_t i = 0; i < count; ++i) {
     const Components q = components(samples.world_from_platform[i]);
     const double length = std::sqrt(product(q, q));
     if (!std::isfinite(samples.time_s[i]) || !std::isfinite(length))
-      return attitude_problem(fmt::format("attitude {} is not finite", i + 1), {}, "finite numbers");
+      return core::error(fmt::format("attitude {} is not finite", i + 1)).expected("finite numbers");
     if (!(std::abs(length - 1.0) <= 1e-3))
-      return attitude_problem(fmt::format("quaternion {} has not the length 1", i + 1), fmt::format("{:g}", length),
-                              "1 within 0.001");
+      return core::error(fmt::format("quaternion {} has not the length 1", i + 1))
+          .found(fmt::format("{:g}", length))
+          .expected("1 within 0.001");
     if (i > 0 && !(samples.time_s[i] > samples.time_s[i - 1]))
-      return attitude_problem(fmt::format("the time of attitude {} does not ascend", i + 1),
-                              fmt::format("{} s", samples.time_s[i]), fmt::format("above {} s", samples.time_s[i - 1]));
+      return core::error(fmt::format("the time of attitude {} does not ascend", i + 1))
+          .found(fmt::format("{} s", samples.time_s[i]))
+          .expected(fmt::format("above {} s", samples.time_s[i - 1]));
   }
   return std::nullopt;
 }

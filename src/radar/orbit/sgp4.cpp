@@ -21,10 +21,9 @@ using core::Severity;
 
 std::optional<Problem> fault_of(const MeanElements& e, const CivilTime& epoch) {
   const auto fault = [](const char* what, double value, const char* expected) {
-    return core::problem_of(Severity::error, what, fmt::format("{}", value), expected, {});
+    return core::error(what).found(fmt::format("{}", value)).expected(expected);
   };
-  if (!is_valid(epoch))
-    return core::problem_of(Severity::error, "the epoch is no calendar time", format_civil(epoch), {}, {});
+  if (!is_valid(epoch)) return core::error("the epoch is no calendar time").found(format_civil(epoch));
   if (!(e.inclination_rad >= 0.0 && e.inclination_rad <= core::pi))
     return fault("the inclination is out of range", e.inclination_rad * core::deg_per_rad, "0 to 180 deg");
   if (!(e.eccentricity >= 0.0 && e.eccentricity < 1.0))
@@ -247,8 +246,7 @@ std::variant<OrbitState, core::Problem> Sgp4::state_at(double time_s) const {
                      "the theory does not hold for this orbit, of eccentricity {:.4g} and {:.4g} revolutions a "
                      "day: take states (OEM, SP3) instead of mean elements",
                      epoch_.eccentricity, epoch_.motion * day_min / (2.0 * core::pi));
-    return core::problem_of(Severity::error, fmt::format("SGP4 fails {:.6g} min after the epoch: {}", time_min, why),
-                            {}, {}, hint);
+    return core::error(fmt::format("SGP4 fails {:.6g} min after the epoch: {}", time_min, why)).hint(hint);
   };
   if (!(std::abs(time_min) <= longest_min)) return problem("it is more than 100 years away");
   const std::variant<OrbitState, const char*> result = state_in_minutes(time_min);

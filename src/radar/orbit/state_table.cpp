@@ -19,22 +19,22 @@ using core::Vec3;
 constexpr std::size_t max_coefficients = 16;
 constexpr std::size_t no_coefficients = static_cast<std::size_t>(-1);
 
-Problem table_problem(std::string message, std::string found, std::string expected) {
-  return core::problem_of(core::Severity::error, std::move(message), std::move(found), std::move(expected), {});
-}
-
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 std::optional<Problem> fault_of_lists(const StateSamples& samples, bool use_velocities) {
   const std::size_t count = samples.time_s.size();
   if (samples.position_m.size() != count)
-    return table_problem("positions and times differ in number", fmt::format("{}", samples.position_m.size()),
-                         fmt::format("{}", count));
+    return core::error("positions and times differ in number")
+        .found(fmt::format("{}", samples.position_m.size()))
+        .expected(fmt::format("{}", count));
   if (use_velocities && samples.velocity_mps.empty() && count > 0)
-    return table_problem("the states have no velocities", "positions alone", "interpolation of positions alone");
+    return core::error("the states have no velocities")
+        .found("positions alone")
+        .expected("interpolation of positions alone");
   if (use_velocities && samples.velocity_mps.size() != count)
-    return table_problem("velocities and times differ in number", fmt::format("{}", samples.velocity_mps.size()),
-                         fmt::format("{}", count));
+    return core::error("velocities and times differ in number")
+        .found(fmt::format("{}", samples.velocity_mps.size()))
+        .expected(fmt::format("{}", count));
   return std::nullopt;
 }
 
@@ -43,10 +43,11 @@ std::optional<Problem> fault_of_states(const StateSamples& samples, bool use_vel
     const double time_s = samples.time_s[i];
     if (!std::isfinite(time_s) || !finite(samples.position_m[i]) ||
         (use_velocities && !finite(samples.velocity_mps[i])))
-      return table_problem(fmt::format("state {} is not finite", i + 1), {}, "finite numbers");
+      return core::error(fmt::format("state {} is not finite", i + 1)).expected("finite numbers");
     if (i > 0 && !(time_s > samples.time_s[i - 1]))
-      return table_problem(fmt::format("the time of state {} does not ascend", i + 1), fmt::format("{} s", time_s),
-                           fmt::format("above {} s", samples.time_s[i - 1]));
+      return core::error(fmt::format("the time of state {} does not ascend", i + 1))
+          .found(fmt::format("{} s", time_s))
+          .expected(fmt::format("above {} s", samples.time_s[i - 1]));
   }
   return std::nullopt;
 }
@@ -106,8 +107,9 @@ std::variant<StateTable, core::Problem> StateTable::from(const StateSamples& sam
     if (end - begin >= interpolation.states) table.add_span(samples, begin, end);
   }
   if (table.spans_.empty())
-    return table_problem("there are too few states to interpolate", fmt::format("{} states", count),
-                         fmt::format("{} or more without a gap", interpolation.states));
+    return core::error("there are too few states to interpolate")
+        .found(fmt::format("{} states", count))
+        .expected(fmt::format("{} or more without a gap", interpolation.states));
   table.intervals_per_s_ = static_cast<double>(count - 1) / (samples.time_s.back() - samples.time_s.front());
   return table;
 }

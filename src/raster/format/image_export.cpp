@@ -101,11 +101,11 @@ void expect_single_precision(std::span<const std::complex<double>> volts, std::s
   if (bad == volts.end()) return;
   const auto at = static_cast<std::size_t>(bad - volts.begin());
   throw core::InvalidRequest(
-      {core::problem_of(core::Severity::error,
-                        fmt::format("row {}, sample {} (from 0) is too large for the single precision of the new file",
-                                    first_row + at / columns, at % columns),
-                        fmt::format("{:g} + {:g}j V", bad->real(), bad->imag()), "volts below 3.4e38",
-                        "scale the samples, or give a smaller LSB where they are counts")});
+      {core::error(fmt::format("row {}, sample {} (from 0) is too large for the single precision of the new file",
+                               first_row + at / columns, at % columns))
+           .found(fmt::format("{:g} + {:g}j V", bad->real(), bad->imag()))
+           .expected("volts below 3.4e38")
+           .hint("scale the samples, or give a smaller LSB where they are counts")});
 }
 
 RunReport export_window(const Raster& source, const ImageWindow& window, const std::filesystem::path& path,

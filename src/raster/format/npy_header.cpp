@@ -20,11 +20,7 @@ constexpr std::size_t alignment = 64;
 std::size_t prefix_size(unsigned major) { return major == 1 ? 10 : 12; }
 
 core::Problem problem(std::string message, std::string found = {}, std::string expected = {}) {
-  core::Problem result;
-  result.message = std::move(message);
-  result.found = std::move(found);
-  result.expected = std::move(expected);
-  return result;
+  return core::error(std::move(message)).found(std::move(found)).expected(std::move(expected));
 }
 
 // A reader for the one Python literal that a header is: a dictionary of strings, booleans and tuples of integers.
@@ -232,10 +228,7 @@ std::variant<NpyHeader, core::Problem> read_npy_header(const core::InputFile& fi
   bytes.resize(file.read_at(0, bytes));
   const std::uint64_t size = npy_header_size(bytes);
   if (size > longest) {
-    core::Problem problem;
-    problem.message = "the header of the NumPy file is too long";
-    problem.found = fmt::format("{} bytes", size);
-    return problem;
+    return core::error("the header of the NumPy file is too long").found(fmt::format("{} bytes", size));
   }
   bytes.resize(static_cast<std::size_t>(size));
   bytes.resize(file.read_at(0, bytes));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -130,7 +129,7 @@ OpenedRaster passed(OpenedRaster opened, const Format& format, const std::filesy
   const bool looked_at = opened.raster->rows() <= max_looked_at && opened.raster->columns() <= max_looked_at;
   if (looked_at) opened.axes = opened.raster->axes();
   core::Problems found = problems_of_facts(*opened.raster, opened.axes ? &*opened.axes : nullptr, path.string());
-  std::ranges::move(contradicted_hints(*opened.raster, hints, path.string()), std::back_inserter(found));
+  core::append(found, contradicted_hints(*opened.raster, hints, path.string()));
   for (core::Problem& problem : found) {
     if (integrity == Integrity::partial && problem.severity == core::Severity::error)
       problem.severity = core::Severity::warning;

@@ -36,10 +36,8 @@ bool is_built_in(H5Z_filter_t filter) {
   return there;
 }
 
-core::Problem problem_of(const std::string& path, const std::string& what, std::string found = {},
-                         std::string expected = {}, std::string hint = {}) {
-  return file_problem({}, fmt::format("the dataset {} {}", path, what), std::move(found), std::move(expected),
-                      std::move(hint));
+core::ProblemBuilder problem_of(const std::string& path, const std::string& what) {
+  return core::error(fmt::format("the dataset {} {}", path, what));
 }
 
 // The names of filters that the HDF Group has registered and people use; the file says some of them too.
@@ -65,9 +63,10 @@ std::optional<core::Problem> filter_problem(hid_t properties, const std::string&
                                                name.size(), name.data(), &configuration);
     name.back() = '\0';
     if (!is_built_in(filter))
-      return problem_of(path, "is stored with a filter that is not built in", name_of_filter(filter, name.data()),
-                        "deflate, shuffle, fletcher32, szip, nbit or scaleoffset, or none",
-                        fmt::format("where the filter's plug-in is installed: h5repack -f {}:NONE IN.h5 OUT.h5", path));
+      return problem_of(path, "is stored with a filter that is not built in")
+          .found(name_of_filter(filter, name.data()))
+          .expected("deflate, shuffle, fletcher32, szip, nbit or scaleoffset, or none")
+          .hint(fmt::format("where the filter's plug-in is installed: h5repack -f {}:NONE IN.h5 OUT.h5", path));
   }
   return std::nullopt;
 }
@@ -79,7 +78,7 @@ std::optional<core::Problem> chunk_problem(hid_t properties, const std::string& 
   const auto bytes = checked_product(chunk[0], chunk[1], element);
   const std::uint64_t most = small_chunk + allowed_chunk_growth * file_bytes;
   if (!bytes || *bytes > most)
-    return problem_of(path, "has chunks larger than its file allows", fmt::format("{} x {}", chunk[0], chunk[1]));
+    return problem_of(path, "has chunks larger than its file allows").found(fmt::format("{} x {}", chunk[0], chunk[1]));
   return std::nullopt;
 }
 
@@ -87,12 +86,12 @@ std::optional<core::Problem> chunk_problem(hid_t properties, const std::string& 
 std::optional<core::Problem> storage_problem(const Hdf5Dataset& dataset, const std::string& path,
                                              std::uint64_t file_bytes) {
   const Hdf5Handle properties(H5Dget_create_plist(dataset.id.get()), H5Pclose);
-  if (!properties) return problem_of(path, "cannot be understood", hdf5_error_text());
+  if (!properties) return problem_of(path, "cannot be understood").found(hdf5_error_text());
   const std::size_t element = H5Tget_size(dataset.type.get());
   const std::uint64_t columns = dataset.shape.size() > 1 ? dataset.shape[1] : 1;
   const auto bytes = checked_product(dataset.shape[0], columns, element);
   const std::string size = fmt::format("{} x {} elements of {} bytes", dataset.shape[0], columns, element);
-  if (!bytes) return problem_of(path, "is too large", size);
+  if (!bytes) return problem_of(path, "is too large").found(size);
   if (H5Pget_external_count(properties.get()) != 0) return problem_of(path, "is stored in other files");
   if (auto problem = filter_problem(properties.get(), path)) return problem;
   switch (H5Pget_layout(properties.get())) {
@@ -100,7 +99,7 @@ std::optional<core::Problem> storage_problem(const Hdf5Dataset& dataset, const s
     case H5D_CONTIGUOUS: {
       const haddr_t offset = H5Dget_offset(dataset.id.get());
       const bool inside = offset != HADDR_UNDEF && offset <= file_bytes && *bytes <= file_bytes - offset;
-      if (*bytes > 0 && !inside) return problem_of(path, "lies beyond the end of the file", size);
+      if (*bytes > 0 && !inside) return problem_of(path, "lies beyond the end of the file").found(size);
       break;
     }
     case H5D_CHUNKED:
@@ -108,7 +107,7 @@ std::optional<core::Problem> storage_problem(const Hdf5Dataset& dataset, const s
       break;
     default: return problem_of(path, "has a layout that is not read");
   }
-  if (*bytes / best_compression > file_bytes) return problem_of(path, "is larger than its file can hold", size);
+  if (*bytes / best_compression > file_bytes) return problem_of(path, "is larger than its file can hold").found(size);
   return std::nullopt;
 }
 
@@ -200,18 +199,19 @@ std::variant<Hdf5Dataset, core::Problem> open_dataset(hid_t file, const std::str
     return problem_of(path, "is not a dataset");
   Hdf5Dataset dataset;
   dataset.id = Hdf5Handle(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
-  if (!dataset.id) return problem_of(path, "cannot be opened", hdf5_error_text());
+  if (!dataset.id) return problem_of(path, "cannot be opened").found(hdf5_error_text());
   dataset.type = Hdf5Handle(H5Dget_type(dataset.id.get()), H5Tclose);
   const Hdf5Handle space(H5Dget_space(dataset.id.get()), H5Sclose);
-  if (!dataset.type || !space) return problem_of(path, "cannot be understood", hdf5_error_text());
+  if (!dataset.type || !space) return problem_of(path, "cannot be understood").found(hdf5_error_text());
   const int rank = H5Sget_simple_extent_ndims(space.get());
-  if (rank != 1 && rank != 2) return problem_of(path, "has the wrong rank", fmt::format("{}", rank), "1 or 2");
+  if (rank != 1 && rank != 2)
+    return problem_of(path, "has the wrong rank").found(fmt::format("{}", rank)).expected("1 or 2");
   std::array<hsize_t, 2> sizes{};
   H5Sget_simple_extent_dims(space.get(), sizes.data(), nullptr);
   dataset.shape.assign(sizes.begin(), sizes.begin() + rank);
   const std::size_t element = H5Tget_size(dataset.type.get());
   if (element == 0 || element > largest_element)
-    return problem_of(path, "has elements of a strange size", fmt::format("{} bytes", element));
+    return problem_of(path, "has elements of a strange size").found(fmt::format("{} bytes", element));
   if (auto problem = storage_problem(dataset, path, file_bytes)) return std::move(*problem);
   return dataset;
 }

@@ -46,9 +46,9 @@ core::IsolatedReport hdf5_trial(const std::function<std::string()>& work, const 
 }
 
 core::Problem too_much_hdf5_work() {
-  return core::problem_of(core::Severity::error, "opening the file is too much work for the HDF5 library",
-                          fmt::format("more than {} s of processor time", hdf5_trial_s), {},
-                          "copy the dataset alone into a new file: h5copy -i OLD -o NEW -s /samples -d /samples");
+  return core::error("opening the file is too much work for the HDF5 library")
+      .found(fmt::format("more than {} s of processor time", hdf5_trial_s))
+      .hint("copy the dataset alone into a new file: h5copy -i OLD -o NEW -s /samples -d /samples");
 }
 
 }  // namespace sarsim::raster

@@ -479,12 +479,7 @@ core::Problem unpacked(const std::string& text) {
       ++index;
     else
       part[index] += c;
-  core::Problem problem;
-  problem.message = part[0];
-  problem.found = part[1];
-  problem.expected = part[2];
-  problem.hint = part[3];
-  return problem;
+  return core::error(part[0]).found(part[1]).expected(part[2]).hint(part[3]);
 }
 
 core::Problem lacks_memory(const std::string& what, std::uint64_t own_limit_bytes) {

@@ -21,13 +21,11 @@ namespace sarsim::raster {
 /// An error about a whole file.
 [[nodiscard]] inline core::Problem file_problem(const std::string& file, std::string message, std::string found = {},
                                                 std::string expected = {}, std::string hint = {}) {
-  core::Problem problem;
-  problem.message = std::move(message);
-  problem.found = std::move(found);
-  problem.expected = std::move(expected);
-  problem.hint = std::move(hint);
-  problem.place.file = file;
-  return problem;
+  return core::error(std::move(message))
+      .found(std::move(found))
+      .expected(std::move(expected))
+      .hint(std::move(hint))
+      .in(file);
 }
 
 /// The same at another severity.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,7 +58,7 @@ class FactCheck {
       check_poses(axes_->row_pose);
       compare_rate(*axes_);
     }
-    std::ranges::move(problems_of_image(raster_.info(), axes_, path_), std::back_inserter(problems_));
+    core::append(problems_, problems_of_image(raster_.info(), axes_, path_));
     return std::move(problems_);
   }
 

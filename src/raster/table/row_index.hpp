@@ -69,10 +69,7 @@ class RowIndex {
       try {
         work(recorder);
       } catch (const std::exception& error) {
-        core::Problem problem;
-        problem.message = error.what();
-        problem.place.file = file;
-        recorder.problem(std::move(problem));
+        recorder.problem(core::error(error.what()).in(file));
       }
       const std::scoped_lock hold(lock_);
       running_ = false;

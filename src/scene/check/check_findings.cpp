@@ -33,10 +33,10 @@ bool check_points_are_numbers(Findings& findings, const FunctionRule& rule, std:
       function.knots, [](const core::Knot& knot) { return !std::isfinite(knot.x) || !std::isfinite(knot.y); });
   if (bad == function.knots.end()) return true;
   findings.error(rule.field,
-                 {.message = fmt::format("a point of the {} is not a finite number", title(rule, part)),
+                 {.id = "function.not-finite",
+                  .message = fmt::format("a point of the {} is not a finite number", title(rule, part)),
                   .found = fmt::format("point {}: {:g}, {:g}", bad - function.knots.begin() + 1, bad->x, bad->y),
-                  .expected = "finite numbers",
-                  .hint = {}});
+                  .expected = "finite numbers"});
   return false;
 }
 
@@ -55,7 +55,8 @@ bool check_points_ascend(Findings& findings, const FunctionRule& rule, std::size
                          const core::SampledFunction& function) {
   const auto first = std::ranges::adjacent_find(function.knots, std::ranges::greater_equal{}, &core::Knot::x);
   if (first == function.knots.end()) return true;
-  findings.error(rule.field, {.message = fmt::format("the points of the {} do not ascend", title(rule, part)),
+  findings.error(rule.field, {.id = "function.not-ascending",
+                              .message = fmt::format("the points of the {} do not ascend", title(rule, part)),
                               .found = fmt::format("x = {:.9g} after {:.9g} at point {}", std::next(first)->x, first->x,
                                                    first - function.knots.begin() + 2),
                               .expected = "each x above the one before",
@@ -83,7 +84,8 @@ void check_points_are_even(Findings& findings, const FunctionRule& rule, std::si
   if (!(farthest > even_within)) return;
   findings.warning(
       Consequence::lost_signal, rule.field,
-      {.message = fmt::format("the points of the {} are not evenly spaced: an MFILTER path does not pass through them",
+      {.id = "function.not-even",
+       .message = fmt::format("the points of the {} are not evenly spaced: an MFILTER path does not pass through them",
                               title(rule, part)),
        .found = fmt::format("x = {:.9g} at point {}, {:.3g} spacings from its even place", knots[worst].x, worst + 1,
                             farthest),
@@ -96,11 +98,13 @@ bool check_not_empty(Findings& findings, const FunctionRule& rule, std::size_t p
   if (!function.knots.empty() || rule.empty == FunctionRule::Empty::allowed) return true;
   const std::string message = fmt::format("the {} has no points", title(rule, part));
   if (rule.empty == FunctionRule::Empty::error) {
-    findings.error(rule.field, {.message = message, .found = "0 points", .expected = "at least one point", .hint = {}});
+    findings.error(rule.field,
+                   {.id = "function.empty", .message = message, .found = "0 points", .expected = "at least one point"});
     return false;
   }
   findings.warning(Consequence::surprise, rule.field,
-                   {.message = message + " and counts as 0 throughout",
+                   {.id = "function.counts-as-zero",
+                    .message = message + " and counts as 0 throughout",
                     .found = "0 points",
                     .expected = "at least one point",
                     .hint = "One point is enough for a constant."});
@@ -110,10 +114,10 @@ bool check_not_empty(Findings& findings, const FunctionRule& rule, std::size_t p
 }  // namespace
 
 Finding too_large(std::string_view what, std::string found, std::string_view unit) {
-  return {.message = fmt::format("the {} is too large to compute with", what),
+  return {.id = "value.too-large",
+          .message = fmt::format("the {} is too large to compute with", what),
           .found = std::move(found),
-          .expected = fmt::format("a magnitude up to {:g} {}", largest_value, unit),
-          .hint = {}};
+          .expected = fmt::format("a magnitude up to {:g} {}", largest_value, unit)};
 }
 
 std::string value_text(double value, std::string_view unit) {
@@ -135,7 +139,8 @@ void Findings::add(core::Severity severity, int rank, std::string_view field, Fi
                         .hint = std::move(finding.hint),
                         .place = {},
                         .subject = subject_,
-                        .count = count};
+                        .count = count,
+                        .id = finding.id};
   problem.subject.field = field;
   entries_.push_back({rank, std::move(problem)});
 }

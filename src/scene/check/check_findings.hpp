@@ -19,12 +19,13 @@ enum class Consequence {
   surprise,      ///< The result is right but perhaps not the one expected.
 };
 
-/// What is wrong, and what would be right: the texts of a Problem.
+/// What is wrong, and what would be right: rule and texts of a Problem.
 struct Finding {
+  core::RuleId id;
   std::string message;
-  std::string found;
-  std::string expected;
-  std::string hint;
+  std::string found = {};
+  std::string expected = {};
+  std::string hint = {};
 };
 
 /// Collects what `check` finds about one object after the other.

@@ -94,6 +94,7 @@ class EndRules {
   void tell(const Told& told, const core::SampledFunction& function, const Outside& found, bool loudly) {
     const std::string name = told.part.empty() ? std::string(told.what) : fmt::format("{} {}", told.what, told.part);
     Finding finding{
+        .id = "function.beyond-points",
         .message = fmt::format("the {} is used beyond its points, where it {}", name, words_beyond(told, function)),
         .found = fmt::format(
             "points from {} to {}; {}; there it is {:.6g}", value_text(function.knots.front().x, told.x_unit),
@@ -189,7 +190,8 @@ class EndRules {
     if (met >= max_share * (last - first)) return;
     const std::string name = part.empty() ? std::string(what) : fmt::format("{} {}", what, part);
     findings_.warning(Consequence::surprise, field,
-                      {.message = fmt::format("most of the {} is never met: a pulse lasts from 0 to 1", name),
+                      {.id = "function.never-met",
+                       .message = fmt::format("most of the {} is never met: a pulse lasts from 0 to 1", name),
                        .found = fmt::format("points from {:g} to {:g}, {:.3g} % of them within", first, last,
                                             100.0 * met / (last - first)),
                        .expected = "fractions of the pulse width, from 0 to 1",

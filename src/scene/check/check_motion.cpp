@@ -104,7 +104,8 @@ std::vector<std::size_t> highest_levels(const std::vector<std::size_t>& next, co
 void check_epoch(Findings& findings, const Scene& scene) {
   const radar::InstantReading epoch = epoch_of(scene.world);
   if (!epoch.failure.empty())
-    return findings.error("epoch", {.message = "the epoch is not a time",
+    return findings.error("epoch", {.id = "epoch.not-a-time",
+                                    .message = "the epoch is not a time",
                                     .found = scene.world.epoch,
                                     .expected = "UTC as 2024-04-01T22:59:42Z",
                                     .hint = epoch.failure});
@@ -113,7 +114,8 @@ void check_epoch(Findings& findings, const Scene& scene) {
   const radar::Instant first = radar::later(*epoch.instant, std::min(needed.first_s, 0.0));
   const radar::Instant last = radar::later(*epoch.instant, std::max(needed.last_s, 0.0));
   if (radar::leap_second_between(first, last))
-    findings.error("epoch", {.message = "a leap second lies within the times of the scene",
+    findings.error("epoch", {.id = "epoch.leap-second",
+                             .message = "a leap second lies within the times of the scene",
                              .found = fmt::format("{} to {}", radar::format_instant(first, radar::TimeScale::utc, 3),
                                                   radar::format_instant(last, radar::TimeScale::utc, 3)),
                              .expected = "recordings before or behind it",
@@ -124,17 +126,17 @@ void check_anchor(Findings& findings, const World& world) {
   constexpr double pole_deg = 89.999;
   if (world.frame == World::Frame::earth && std::abs(world.latitude.deg()) > pole_deg)
     findings.warning(Consequence::surprise, "latitude",
-                     {.message = "the anchor is at a pole, where east and north follow from its longitude",
+                     {.id = "anchor.at-pole",
+                      .message = "the anchor is at a pole, where east and north follow from its longitude",
                       .found = value_text(world.latitude.deg(), "deg"),
                       .expected = "a latitude within +-89.999 deg",
                       .hint = "Move the anchor into the scene."});
 }
 
 Finding needs_earth(std::string_view what) {
-  return {.message = fmt::format("{} needs the Earth, but the world is flat", what),
-          .found = {},
-          .expected = "[world] with frame = \"earth\" and an anchor",
-          .hint = {}};
+  return {.id = "world.needs-earth",
+          .message = fmt::format("{} needs the Earth, but the world is flat", what),
+          .expected = "[world] with frame = \"earth\" and an anchor"};
 }
 
 void check_laws(Findings& findings, const World& world, const Platform& platform) {
@@ -148,31 +150,30 @@ void check_laws(Findings& findings, const World& world, const Platform& platform
   const bool follows = platform.rotation_kind == Platform::Rotation::coordinated ||
                        platform.rotation_kind == Platform::Rotation::zero_doppler;
   if (follows && platform.path == Platform::Path::stationary)
-    findings.error("rotation_kind", {.message = "the attitude follows a path, but the platform stays where it is",
-                                     .found = {},
-                                     .expected = "a platform that moves, or a fixed rotation",
-                                     .hint = {}});
+    findings.error("rotation_kind", {.id = "attitude.no-path",
+                                     .message = "the attitude follows a path, but the platform stays where it is",
+                                     .expected = "a platform that moves, or a fixed rotation"});
   const bool in_parent = !platform.parent.empty() && platform.parent != "Earth";
   if (in_parent && is_orbit(platform.path))
-    findings.error("parent", {.message = "an orbit is a path in the world, not in the frame of a parent",
+    findings.error("parent", {.id = "orbit.with-parent",
+                              .message = "an orbit is a path in the world, not in the frame of a parent",
                               .found = platform.parent,
-                              .expected = "no parent",
-                              .hint = {}});
+                              .expected = "no parent"});
 }
 
 void check_files(Findings& findings, const Platform& platform) {
   const auto missing = [&](std::string_view field, std::string_view what, std::string_view example) {
-    findings.error(field, {.message = fmt::format("the {} has no file", what),
-                           .found = {},
-                           .expected = fmt::format("file = \"{}\"", example),
-                           .hint = {}});
+    findings.error(field, {.id = "motion-file.none",
+                           .message = fmt::format("the {} has no file", what),
+                           .expected = fmt::format("file = \"{}\"", example)});
   };
   if (platform.path == Platform::Path::ephemeris && platform.ephemeris_file.empty())
     missing("ephemeris_file", "path", "S1A.EOF");
   if (platform.rotation_kind == Platform::Rotation::quaternions && platform.attitude_file.empty())
     missing("attitude_file", "attitude", "S1A.aem");
   const auto not_read = [&](std::string_view field, const std::string& file) {
-    findings.error(field, {.message = std::string(unread_motion), .found = file, .expected = {}, .hint = {}});
+    findings.error(field,
+                   {.id = "motion-file.unread", .message = "the motion of the platform is not read", .found = file});
   };
   const bool from_file = platform.path == Platform::Path::ephemeris;
   const bool named = !from_file || !platform.ephemeris_file.empty();
@@ -206,17 +207,15 @@ std::string entry_of(std::string_view list, std::size_t entry) { return fmt::for
 bool check_legs(Findings& findings, const Platform& platform) {
   bool sound = true;
   if (platform.legs.empty())
-    findings.error("legs", {.message = "the path has no legs",
-                            .found = {},
-                            .expected = "legs = [{ leg = \"straight\", length = \"10 km\" }, ...]",
-                            .hint = {}});
+    findings.error("legs", {.id = "legs.none",
+                            .message = "the path has no legs",
+                            .expected = "legs = [{ leg = \"straight\", length = \"10 km\" }, ...]"});
   for (std::size_t i = 0; i < platform.legs.size(); ++i) {
     const std::string_view lack = lack_of(platform.legs[i]);
     if (lack.empty()) continue;
-    findings.error(entry_of("legs", i), {.message = fmt::format("leg {}: {} is missing, or 0", i + 1, lack),
-                                         .found = {},
-                                         .expected = fmt::format("{} that is not 0", lack),
-                                         .hint = {}});
+    findings.error(entry_of("legs", i), {.id = "legs.missing-value",
+                                         .message = fmt::format("leg {}: {} is missing, or 0", i + 1, lack),
+                                         .expected = fmt::format("{} that is not 0", lack)});
     sound = false;
   }
   return sound && !platform.legs.empty();
@@ -226,7 +225,8 @@ void warn_slow_climb(Findings& findings, const Platform& platform, const radar::
   const Leg& leg = platform.legs[slow.leg];
   findings.warning(
       Consequence::surprise, entry_of("legs", slow.leg),
-      {.message = fmt::format("leg {} is too short to reach its rate of climb with that rounding", slow.leg + 1),
+      {.id = "legs.too-short",
+       .message = fmt::format("leg {} is too short to reach its rate of climb with that rounding", slow.leg + 1),
        .found = fmt::format("{} at most", value_text(slow.reached_mps, "m/s")),
        .expected = value_text(std::abs(leg.rate_mps), "m/s"),
        .hint = fmt::format("A rounding of {} or more reaches it.", value_text(slow.needed_rounding_mps2, "m/s2"))});
@@ -237,35 +237,36 @@ void check_route(Findings& findings, const Platform& platform) {
   if (!legs && platform.path != Platform::Path::waypoints) return;
   if (platform.speed_mps == 0.0)
     return findings.error(
-        "speed_mps", {.message = "the path has no speed", .found = {}, .expected = "speed = \"100 m/s\"", .hint = {}});
+        "speed_mps", {.id = "path.no-speed", .message = "the path has no speed", .expected = "speed = \"100 m/s\""});
   if (legs && !check_legs(findings, platform)) return;
   const radar::PathResult made = route_of(platform);
   const std::string list = legs ? "legs" : "waypoints";
   if (!made.fault.empty())
-    return findings.error(made.at ? entry_of(list, *made.at) : list,
-                          {.message = made.fault, .found = {}, .expected = {}, .hint = {}});
+    return findings.error(made.at ? entry_of(list, *made.at) : list, {.id = "path.impossible", .message = made.fault});
   for (const radar::SlowClimb& slow : made.slow_climbs) warn_slow_climb(findings, platform, slow);
   constexpr double noticed_step_mps = 1e-3;  // A change of the Doppler frequency of 0.07 Hz at 3 cm.
   if (made.path.largest_step_mps() > noticed_step_mps)
     findings.warning(Consequence::false_signal, list,
-                     {.message = "the velocity of the path steps",
+                     {.id = "path.velocity-steps",
+                      .message = "the velocity of the path steps",
                       .found = fmt::format("by up to {}", value_text(made.path.largest_step_mps(), "m/s")),
                       .expected = "a path that is rounded off",
                       .hint = legs ? "Give climbs a rounding." : "Give an acceleration, or points of one height."});
 }
 
 void report_loop(Findings& findings, std::string_view field, const std::string& name) {
-  findings.error(field, {.message = fmt::format("the {}s of the platform come back to itself", field),
+  findings.error(field, {.id = "platforms.loop",
+                         .message = fmt::format("the {}s of the platform come back to itself", field),
                          .found = name,
-                         .expected = "another platform",
-                         .hint = {}});
+                         .expected = "another platform"});
 }
 
 // Told once for a chain: of the first platform beyond the limit.
 void check_chain(Findings& findings, std::string_view field, std::size_t level, std::size_t longest) {
   if (level != longest_motion_chain + 1) return;
   findings.error(field,
-                 {.message = fmt::format("the chain of {}s is too long", field),
+                 {.id = "platforms.long-chain",
+                  .message = fmt::format("the chain of {}s is too long", field),
                   .found = fmt::format("platform {} of a chain of {}", level, longest),
                   .expected = fmt::format("up to {} platforms that {}", longest_motion_chain,
                                           field == "parent" ? "move, each on the one before" : "follow each other"),
@@ -277,10 +278,9 @@ void check_leader(Findings& findings, const Scene& scene, const PlatformChains& 
   const Platform& platform = scene.platforms[index];
   if (platform.path != Platform::Path::relative) return;
   if (platform.leader.empty())
-    return findings.error("leader", {.message = "a relative path has no leader",
-                                     .found = {},
-                                     .expected = "leader = the name of a platform",
-                                     .hint = {}});
+    return findings.error("leader", {.id = "leader.none",
+                                     .message = "a relative path has no leader",
+                                     .expected = "leader = the name of a platform"});
   if (chains.leaders_loop(index)) report_loop(findings, "leader", platform.leader);
   check_chain(findings, "leader", chains.leader_level(index), chains.longest_of_leaders(index));
   const std::size_t leader = chains.leader(index);
@@ -289,7 +289,8 @@ void check_leader(Findings& findings, const Scene& scene, const PlatformChains& 
   const std::string parent = parent_of(scene.platforms[leader]);
   findings.warning(
       Consequence::surprise, "leader",
-      {.message = "the platform has another parent than its leader, whose path it follows in the frame of its own",
+      {.id = "leader.other-parent",
+       .message = "the platform has another parent than its leader, whose path it follows in the frame of its own",
        .found = parent.empty() ? "a leader in the world" : fmt::format("a leader mounted on {}", parent),
        .expected = "one parent for both",
        .hint = parent.empty() ? "Remove the parent." : fmt::format("Write parent = \"{}\".", parent)});
@@ -303,7 +304,8 @@ void check_tips(Findings& findings, const PlatformChains& chains, const Platform
   const double tip_mps = chains.fastest_tip_mps(index, rate_rad_per_s);
   if (!(tip_mps > fastest_mps)) return;
   findings.warning(Consequence::surprise, "rotation_rate",
-                   {.message = "the rotation carries a target faster than blades and wheels turn",
+                   {.id = "rotation.too-fast",
+                    .message = "the rotation carries a target faster than blades and wheels turn",
                     .found = fmt::format("{:.6g} m/s", tip_mps),
                     .expected = fmt::format("up to {:g} m/s", fastest_mps),
                     .hint = "300 turns a minute are 1800 deg/s."});
@@ -320,7 +322,8 @@ void check_height(Findings& findings, const Scene& scene, const Platform& platfo
     if (!motion) continue;
     const double height_m = earth.geodetic_of(motion->position_m).height_m;
     if (height_m >= lowest_height_m) continue;
-    return findings.error("path", {.message = "the path goes through the Earth",
+    return findings.error("path", {.id = "path.through-earth",
+                                   .message = "the path goes through the Earth",
                                    .found = fmt::format("{} at {}", value_text(height_m, "m"), value_text(time_s, "s")),
                                    .expected = "a height above the ellipsoid",
                                    .hint = "Positions of files are in km or m as their formats say."});
@@ -334,10 +337,10 @@ void check_world(Findings& findings, const Scene& scene) {
   check_epoch(findings, scene);
   check_anchor(findings, scene.world);
   if (scene.world.frame == World::Frame::earth && scene.options.profile == Profile::classic)
-    findings.error("frame", {.message = "the classic profile knows no Earth",
+    findings.error("frame", {.id = "classic.no-earth",
+                             .message = "the classic profile knows no Earth",
                              .found = "frame earth",
-                             .expected = "the physical profile, or a flat world",
-                             .hint = {}});
+                             .expected = "the physical profile, or a flat world"});
 }
 
 PlatformChains::PlatformChains(const Scene& scene) : scene_(scene) {

@@ -10,9 +10,6 @@
 
 namespace sarsim::scene {
 
-/// What is said of a platform whose file is not read; follows from other mistakes where these kept it from being read.
-inline constexpr std::string_view unread_motion = "the motion of the platform is not read";
-
 /// Checks the world itself: epoch, anchor, leap seconds.
 void check_world(Findings& findings, const Scene& scene);
 

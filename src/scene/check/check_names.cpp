@@ -24,8 +24,8 @@ void NameCheck::check_definitions(Findings& findings) const {
   for (std::size_t i = 0; i < table_->names().size(); ++i) {
     if (!table_->names()[i].empty()) continue;
     findings.about(kind_, i);
-    findings.error("name", {.message = fmt::format("the {} has no name", kind_),
-                            .found = {},
+    findings.error("name", {.id = "name.none",
+                            .message = fmt::format("the {} has no name", kind_),
                             .expected = "a name",
                             .hint = "Other objects refer to it by its name."});
   }
@@ -33,10 +33,10 @@ void NameCheck::check_definitions(Findings& findings) const {
     if (table_->names()[index].empty()) continue;
     findings.about(kind_, index);
     findings.warning(Consequence::other_object, "name",
-                     {.message = fmt::format("another {0} has the same name; the name means the first {0}", kind_),
+                     {.id = "name.not-unique",
+                      .message = fmt::format("another {0} has the same name; the name means the first {0}", kind_),
                       .found = std::string(table_->names()[index]),
-                      .expected = "a name of its own",
-                      .hint = {}});
+                      .expected = "a name of its own"});
   }
 }
 
@@ -46,7 +46,8 @@ std::size_t NameCheck::resolve(Findings& findings, std::string_view field, std::
   if (result.match == NameTable::Match::prefix) {
     findings.warning(
         Consequence::other_object, field,
-        {.message = fmt::format("no {} has exactly this name; the only one that begins like it is used", kind_),
+        {.id = "name.shortened",
+         .message = fmt::format("no {} has exactly this name; the only one that begins like it is used", kind_),
          .found = std::string(name),
          .expected = std::string(table_->names()[result.index]),
          .hint = "Write the whole name."});
@@ -55,7 +56,8 @@ std::size_t NameCheck::resolve(Findings& findings, std::string_view field, std::
   // The world is there without being defined: it rests at the origin.
   if (kind_ == "platform" && core::equal_ignoring_case(name, "Earth")) return not_found;
   if (result.match == NameTable::Match::ambiguous) {
-    findings.error(field, {.message = fmt::format("several {}s begin like this name", kind_),
+    findings.error(field, {.id = "name.ambiguous",
+                           .message = fmt::format("several {}s begin like this name", kind_),
                            .found = std::string(name),
                            .expected = fmt::format("one of {}", table_->candidates(name)),
                            .hint = "Write the whole name."});
@@ -93,7 +95,8 @@ void NameCheck::report_unknown(Findings& findings, std::string_view field, std::
     hint = fmt::format("Did you mean {}?", nearest);
   else if (table_->names().empty())
     hint = fmt::format("The scene defines no {}.", kind_);
-  findings.error(field, {.message = fmt::format("no {} has this name", kind_),
+  findings.error(field, {.id = "name.unknown",
+                         .message = fmt::format("no {} has this name", kind_),
                          .found = std::string(name),
                          .expected = expected_name(),
                          .hint = std::move(hint)});

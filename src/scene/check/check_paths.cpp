@@ -66,7 +66,8 @@ void check_paths_between_points(Findings& findings, const Scene& scene) {
     if (at == nullptr) continue;
     findings.about("platform", i);
     findings.warning(Consequence::false_signal, "trajectory_m",
-                     {.message = "the path between its points may deviate from a smooth one",
+                     {.id = "path.deviates",
+                      .message = "the path between its points may deviate from a smooth one",
                       .found = fmt::format("about {:.3g} m at {:.6g} s, {:.3g} wavelengths of radar {}", worst.error_m,
                                            worst.time_s, worst.error_m / at->wavelength_m, at->radar),
                       .expected = fmt::format("less than 1/16 of a wavelength, {:.3g} mm",

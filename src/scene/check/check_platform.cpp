@@ -20,7 +20,8 @@ void check_path(Findings& findings, const Platform& platform) {
   if (std::ranges::all_of(platform.trajectory_m.part,
                           [](const core::SampledFunction& f) { return f.knots.size() < 2; }))
     findings.warning(Consequence::surprise, "aligned",
-                     {.message = "the platform is aligned with its velocity but does not move",
+                     {.id = "attitude.not-moving",
+                      .message = "the platform is aligned with its velocity but does not move",
                       .found = "a trajectory of single points",
                       .expected = "a trajectory of at least two points",
                       .hint = "Give a rotation instead."});
@@ -44,7 +45,8 @@ void check_envelope(Findings& findings, std::string_view field, std::string_view
       {.field = field, .what = what, .parts = coordinate_parts, .used = used, .empty = FunctionRule::Empty::allowed},
       envelope.part);
   if (used && std::ranges::any_of(envelope.part, [](const core::SampledFunction& f) { return f.knots.size() == 1; }))
-    findings.error(field, {.message = "the " + std::string(what) + " has a single point on one axis",
+    findings.error(field, {.id = "motion-error.single-point",
+                           .message = "the " + std::string(what) + " has a single point on one axis",
                            .found = "1 point",
                            .expected = "at least two points, or none for no error on that axis",
                            .hint = "The function is the response to white noise and needs a length in time."});

@@ -38,7 +38,8 @@ void check_usual_carrier(Findings& findings, const Radar& radar) {
     const bool high = carrier_hz > highest_hz;
     findings.warning(
         Consequence::surprise, "carrier_hz",
-        {.message = fmt::format("the carrier frequency is {} those that radars use", high ? "above" : "below"),
+        {.id = "carrier.unusual",
+         .message = fmt::format("the carrier frequency is {} those that radars use", high ? "above" : "below"),
          .found = value_text(carrier_hz, "Hz"),
          .expected = "100 kHz to 1 THz",
          .hint = high ? fmt::format("Scripts give it in GHz: write {} for {}.",
@@ -55,7 +56,8 @@ void check_band_above_zero(Findings& findings, const Radar& radar) {
   if (!(lowest_hz > 0.0) || lowest_hz >= 0.5 * std::abs(radar.bandwidth_hz)) return;
   findings.warning(
       Consequence::false_signal, "bandwidth_hz",
-      {.message = "the chirp's band reaches below 0 Hz, where no radar transmits",
+      {.id = "chirp.below-zero",
+       .message = "the chirp's band reaches below 0 Hz, where no radar transmits",
        .found = fmt::format("{} around a carrier of {}", value_text(std::abs(radar.bandwidth_hz), "Hz"),
                             value_text(lowest_hz, "Hz")),
        .expected = fmt::format("a bandwidth up to {}, twice the carrier", value_text(2.0 * lowest_hz, "Hz")),
@@ -71,7 +73,8 @@ void check_time_bandwidth(Findings& findings, const Radar& radar) {
   const bool short_unit = 1e3 * product >= min_time_bandwidth;
   findings.warning(
       Consequence::surprise, "pulse_width_s",
-      {.message = "the time-bandwidth product of the chirp is too small for pulse compression",
+      {.id = "chirp.time-bandwidth",
+       .message = "the time-bandwidth product of the chirp is too small for pulse compression",
        .found = fmt::format("{:.3g}: {} in {}", product, value_text(std::abs(radar.bandwidth_hz), "Hz"),
                             value_text(radar.pulse_width_s, "s")),
        .expected = fmt::format("{:.0f} or more", min_time_bandwidth),
@@ -87,7 +90,8 @@ void check_beamwidth(Findings& findings, std::string_view field, std::string_vie
   const double half = 1.391557 / (0.88 * core::pi) * width_deg * core::rad_per_deg;
   findings.warning(
       Consequence::surprise, field,
-      {.message = fmt::format("the {} beamwidth is too wide for a sin(x)/x beam", cut),
+      {.id = "antenna.beam-too-wide",
+       .message = fmt::format("the {} beamwidth is too wide for a sin(x)/x beam", cut),
        .found = value_text(width_deg, "deg"),
        .expected = fmt::format("{:.0f} deg or less", widest_beam_deg),
        .hint = half < 1.0 ? fmt::format("The beam's half-power width would be {:.1f} degrees, and nothing is "
@@ -108,7 +112,8 @@ void check_narrow_beam(Findings& findings, std::string_view field, std::string_v
   const double length_m = 0.886 * wavelength_m / (width_deg * core::rad_per_deg);
   if (!(length_m > longest_antenna_m)) return;
   findings.warning(Consequence::surprise, field,
-                   {.message = fmt::format("the {} beamwidth needs an antenna {:.3g} m long", cut, length_m),
+                   {.id = "antenna.too-long",
+                    .message = fmt::format("the {} beamwidth needs an antenna {:.3g} m long", cut, length_m),
                     .found = value_text(width_deg, "deg"),
                     .expected = fmt::format("{} or more, an antenna of up to {:g} m",
                                             value_text(core::tidy(width_deg * length_m / longest_antenna_m, 3), "deg"),
@@ -124,7 +129,8 @@ void check_gain(Findings& findings, std::string_view field, const Antenna& anten
   const double directivity = 4.0 * core::pi * 0.886 * 0.886 / widths;
   if (!(directivity > directive) || !std::isfinite(directivity)) return;
   findings.note(field,
-                {.message = "the antenna has a narrow beam and a gain of 0 dB: signal-to-noise ratios are too low",
+                {.id = "antenna.no-gain",
+                 .message = "the antenna has a narrow beam and a gain of 0 dB: signal-to-noise ratios are too low",
                  .found = "0 dB",
                  .expected = fmt::format("about {:.0f} dB less the antenna's losses", 10.0 * std::log10(directivity)),
                  .hint = "The pattern is relative to the peak; the gain of the peak is a field of its own."});
@@ -144,7 +150,8 @@ void check_beams(Findings& findings, std::string_view field, const Antenna& ante
 void check_hanning(Findings& findings, const Radar& radar) {
   if (radar.window != Radar::Window::hanning || radar.hanning_pedestal != 1.0) return;
   findings.warning(Consequence::surprise, "hanning_pedestal",
-                   {.message = "a Hanning window with the constant 1 has no effect: all of its weights are 1",
+                   {.id = "window.no-effect",
+                    .message = "a Hanning window with the constant 1 has no effect: all of its weights are 1",
                     .found = "1",
                     .expected = "0, the Hann window (side lobes of -31.5 dB), to 0.5",
                     .hint = "Write RECT if no weighting is wanted."});
@@ -158,18 +165,19 @@ void check_oversampling(Findings& findings, const Simulation& simulation, const 
       fmt::format("{}, {:.4g} times the bandwidth", value_text(simulation.sample_rate_hz, "Hz"), ratio);
   if (ratio > max_oversampling)
     findings.warning(Consequence::surprise, "sample_rate_hz",
-                     {.message = "the sampling frequency is far above the bandwidth of the pulse",
+                     {.id = "sampling.far-above-bandwidth",
+                      .message = "the sampling frequency is far above the bandwidth of the pulse",
                       .found = found,
                       .expected = fmt::format("about {}", value_text(1.25 * bandwidth_hz, "Hz")),
                       .hint = "Scripts give bandwidths and sampling frequencies in GHz. The file grows with the ratio "
                               "and holds no more information."});
   else if (ratio < min_oversampling && ratio >= 1.0 - 1e-9)
     findings.note("sample_rate_hz",
-                  {.message = "the sampling frequency hardly exceeds the bandwidth of the pulse: the skirts of its "
+                  {.id = "sampling.hardly-above-bandwidth",
+                   .message = "the sampling frequency hardly exceeds the bandwidth of the pulse: the skirts of its "
                               "spectrum fold, and interpolation in range (focus, measure) is off by a few per cent",
                    .found = found,
-                   .expected = fmt::format("{} or more", value_text(1.2 * bandwidth_hz, "Hz")),
-                   .hint = {}});
+                   .expected = fmt::format("{} or more", value_text(1.2 * bandwidth_hz, "Hz"))});
 }
 
 // The filter of a band-limited pulse rings for 28 half bands before and after it (decision 7); what is cut off leaks.
@@ -185,7 +193,8 @@ void check_kept_length(Findings& findings, const Simulation& simulation, const R
   if (kept >= wanted || !(kept >= 1.0)) return;
   findings.warning(
       Consequence::false_signal, "width_factor",
-      {.message = "the kept length cuts the band-limited pulse off, which is then no longer band-limited",
+      {.id = "band-limited-pulse.cut",
+       .message = "the kept length cuts the band-limited pulse off, which is then no longer band-limited",
        .found = value_text(simulation.width_factor, ""),
        .expected = fmt::format("0 or {:.1f}, which keep all of it{}, or an over-sampling factor of 1", wanted,
                                options.profile == Profile::classic ? " (0 with the physical profile only)" : ""),
@@ -197,13 +206,15 @@ void check_single_precision(Findings& findings, const Simulation& simulation, co
   constexpr double of_a_float = 6e-8;
   if (values_of(simulation.format) != SampleValues::volts) return;
   if (options.tolerance < of_a_float)
-    findings.note("format", {.message = "the file holds single precision, which is coarser than the tolerance",
+    findings.note("format", {.id = "tolerance.single-precision",
+                             .message = "the file holds single precision, which is coarser than the tolerance",
                              .found = fmt::format("a tolerance of {:.3g}", options.tolerance),
                              .expected = fmt::format("{:.0e} or more", of_a_float),
                              .hint = "'sarsim run --double' writes double precision."});
   if (simulation.bits < 8)
     findings.note("bits",
-                  {.message = "volts are not quantised: this format does not use the A/D converter",
+                  {.id = "format.no-quantisation",
+                   .message = "volts are not quantised: this format does not use the A/D converter",
                    .found = fmt::format("{} bits", simulation.bits),
                    .expected = "a format of counts (BINARY, ASCII, BRACKET, CSV)",
                    .hint = "'sarsim run --quantise' writes the converter's counts into HDF5, NPY, Zarr and SigMF."});
@@ -216,7 +227,8 @@ void check_single_pulse(Findings& findings, const Simulation& simulation, const 
   if (pulses.count() != 1 || !(window_s > 0.01)) return;
   findings.warning(
       Consequence::lost_signal, "time_end_s",
-      {.message = "the azimuth window holds a single pulse: nothing can be focused, and no Doppler measured",
+      {.id = "azimuth-window.single-pulse",
+       .message = "the azimuth window holds a single pulse: nothing can be focused, and no Doppler measured",
        .found = fmt::format("{} at a PRF of {}", value_text(window_s, "s"),
                             value_text(1.0 / repetition.mean_interval_s(), "Hz")),
        .expected = "many pulses, or a window of no length for one",
@@ -238,7 +250,8 @@ void check_extrapolation(Findings& findings, const Simulation& simulation, const
   if (!(last_s > first_s) || !(window_s > longest_extrapolation * (last_s - first_s))) return;
   findings.warning(
       Consequence::surprise, "time_end_s",
-      {.message = "the azimuth window is much longer than the time for which the radar's trajectory has points",
+      {.id = "azimuth-window.beyond-trajectory",
+       .message = "the azimuth window is much longer than the time for which the radar's trajectory has points",
        .found = fmt::format("{}, with points of {} for {}", value_text(window_s, "s"), platform.name,
                             value_text(last_s - first_s, "s")),
        .expected = "a window about as long as the trajectory",
@@ -258,7 +271,8 @@ void check_extension(Findings& findings, const Simulation& simulation) {
   for (const Extension& known : extensions) {
     if (!core::equal_ignoring_case(extension, known.extension) || known.format == simulation.format) continue;
     findings.warning(Consequence::surprise, "file",
-                     {.message = std::string(other_extension),
+                     {.id = "output.other-extension",
+                      .message = "the file name has the extension of another format",
                       .found = simulation.file,
                       .expected = "an extension that fits the format of the simulation",
                       .hint = "Programs that go by the extension will not read it: change the name or the format."});

@@ -35,24 +35,25 @@ void check_user_pulse(Findings& findings, const Radar& radar) {
                                      .empty = none ? FunctionRule::Empty::error : FunctionRule::Empty::constant_zero},
                                     radar.pulse_iq.part);
   if (used && sound && std::ranges::all_of(radar.pulse_iq.part, all_zero))
-    findings.error("pulse_iq", {.message = "the user-defined pulse is zero throughout",
+    findings.error("pulse_iq", {.id = "pulse.zero",
+                                .message = "the user-defined pulse is zero throughout",
                                 .found = "only zeros",
-                                .expected = "a pulse that transmits something",
-                                .hint = {}});
+                                .expected = "a pulse that transmits something"});
 }
 
 void check_modulation(Findings& findings, const Radar& radar) {
   if (radar.pulse == Radar::Pulse::chirp && radar.bandwidth_hz == 0.0)
     findings.warning(Consequence::surprise, "bandwidth_hz",
-                     {.message = "a chirp without bandwidth is an unmodulated pulse",
+                     {.id = "chirp.no-bandwidth",
+                      .message = "a chirp without bandwidth is an unmodulated pulse",
                       .found = value_text(radar.bandwidth_hz, "Hz"),
                       .expected = "a bandwidth other than 0",
                       .hint = "Write MONO for an unmodulated pulse."});
   if (radar.pulse == Radar::Pulse::barker && (radar.barker_code < 0 || radar.barker_code > 6))
-    findings.error("barker_code", {.message = "there is no Barker code with this number",
+    findings.error("barker_code", {.id = "barker.unknown-code",
+                                   .message = "there is no Barker code with this number",
                                    .found = std::to_string(radar.barker_code),
-                                   .expected = "0 to 6, for lengths 2, 3, 4, 5, 7, 11 and 13",
-                                   .hint = {}});
+                                   .expected = "0 to 6, for lengths 2, 3, 4, 5, 7, 11 and 13"});
   check_user_pulse(findings, radar);
 }
 
@@ -60,7 +61,8 @@ void check_pulse_envelope(Findings& findings, const Radar& radar) {
   const bool ramps = radar.envelope == Radar::Envelope::linear && radar.pulse_width_s > 0.0;
   if (ramps && radar.rise_s + radar.fall_s > radar.pulse_width_s)
     findings.warning(Consequence::surprise, "rise_s",
-                     {.message = "the pulse's rise and fall together are longer than the pulse",
+                     {.id = "pulse.edges-too-long",
+                      .message = "the pulse's rise and fall together are longer than the pulse",
                       .found = fmt::format("{} and {} in a pulse of {}", value_text(radar.rise_s, "s"),
                                            value_text(radar.fall_s, "s"), value_text(radar.pulse_width_s, "s")),
                       .expected = "rise + fall up to the pulse width",
@@ -70,10 +72,10 @@ void check_pulse_envelope(Findings& findings, const Radar& radar) {
       check_function(findings, {.field = "envelope_gain", .what = "pulse envelope", .parts = single_part, .used = used},
                      radar.envelope_gain.part);
   if (used && sound && all_zero(radar.envelope_gain.part[0]))
-    findings.error("envelope_gain", {.message = "the pulse envelope is zero throughout",
+    findings.error("envelope_gain", {.id = "pulse.zero-envelope",
+                                     .message = "the pulse envelope is zero throughout",
                                      .found = "only zeros",
-                                     .expected = "an envelope that lets something pass",
-                                     .hint = {}});
+                                     .expected = "an envelope that lets something pass"});
 }
 
 // Entries of a list whose x is ignored: every one has to be above zero.
@@ -84,10 +86,10 @@ void check_list(Findings& findings, std::string_view field, std::string_view wha
   const auto& knots = list.part[0].knots;
   const auto bad = std::ranges::find_if(knots, [](const core::Knot& knot) { return !(knot.y > 0.0); });
   if (bad != knots.end())
-    findings.error(field, {.message = fmt::format("an entry of the {} is not above zero", what),
+    findings.error(field, {.id = "list.not-above-zero",
+                           .message = fmt::format("an entry of the {} is not above zero", what),
                            .found = fmt::format("entry {}: {}", bad - knots.begin() + 1, value_text(bad->y, unit)),
-                           .expected = "numbers above 0",
-                           .hint = {}});
+                           .expected = "numbers above 0"});
 }
 
 void check_repetition(Findings& findings, const Radar& radar) {
@@ -97,7 +99,8 @@ void check_repetition(Findings& findings, const Radar& radar) {
   if (!repetition || !std::isfinite(radar.pulse_width_s)) return;
   if (radar.pulse_width_s <= repetition->shortest_interval_s()) return;
   findings.warning(Consequence::false_signal, "pulse_width_s",
-                   {.message = "the pulse is longer than the interval to the next one",
+                   {.id = "pulse.longer-than-interval",
+                    .message = "the pulse is longer than the interval to the next one",
                     .found = fmt::format("{} in an interval of {}", value_text(radar.pulse_width_s, "s"),
                                          value_text(repetition->shortest_interval_s(), "s")),
                     .expected = "a pulse that ends before the next begins",
@@ -108,10 +111,10 @@ void check_steps(Findings& findings, const Radar& radar) {
   if (!computable(radar.carrier_step_hz) || radar.carrier_steps < 1 || radar.pulses_per_step < 1) return;
   const double last_hz = radar.carrier_hz + radar.carrier_step_hz * (radar.carrier_steps - 1);
   if (radar.carrier_hz > 0.0 && !(last_hz > 0.0))
-    findings.error("carrier_step_hz", {.message = "the frequency steps lead to a carrier that is not above zero",
+    findings.error("carrier_step_hz", {.id = "carrier.steps-below-zero",
+                                       .message = "the frequency steps lead to a carrier that is not above zero",
                                        .found = value_text(last_hz, "Hz"),
-                                       .expected = "carriers above 0",
-                                       .hint = {}});
+                                       .expected = "carriers above 0"});
 }
 
 void check_carrier(Findings& findings, const Radar& radar) {
@@ -133,7 +136,8 @@ void check_antenna(Findings& findings, std::string_view field, std::string_view 
     constexpr double turn_deg = 360.0 + 1e-9;
     if (knots.size() < 2 || knots.back().x - knots.front().x <= turn_deg) continue;
     findings.warning(Consequence::surprise, field,
-                     {.message = fmt::format("the points of the {} {} are more than a turn: some angles have two gains",
+                     {.id = "antenna-cut.more-than-a-turn",
+                      .message = fmt::format("the points of the {} {} are more than a turn: some angles have two gains",
                                              name, cut_parts[i]),
                       .found = fmt::format("{:g} to {:g} deg", knots.front().x, knots.back().x),
                       .expected = "angles of 360 deg together, as -180 to 180",
@@ -159,19 +163,19 @@ void check_receiver(Findings& findings, const Radar& radar) {
       findings, {.field = "window_gain", .what = "matched-filter window", .parts = single_part, .used = windowed},
       radar.window_gain.part);
   if (windowed && sound && all_zero(radar.window_gain.part[0]))
-    findings.error("window_gain", {.message = "the matched-filter window is zero throughout",
+    findings.error("window_gain", {.id = "window.zero",
+                                   .message = "the matched-filter window is zero throughout",
                                    .found = "only zeros",
-                                   .expected = "a window that lets something pass",
-                                   .hint = {}});
+                                   .expected = "a window that lets something pass"});
   const bool controlled = radar.stc == Radar::Stc::user;
   const bool sound_control = check_function(
       findings, {.field = "stc_gain", .what = "sensitivity-time control", .parts = single_part, .used = controlled},
       radar.stc_gain.part);
   if (controlled && sound_control && all_zero(radar.stc_gain.part[0]))
-    findings.error("stc_gain", {.message = "the sensitivity-time control is zero throughout",
+    findings.error("stc_gain", {.id = "stc.zero",
+                                .message = "the sensitivity-time control is zero throughout",
                                 .found = "only zeros",
-                                .expected = "a gain that lets something pass",
-                                .hint = {}});
+                                .expected = "a gain that lets something pass"});
 }
 
 }  // namespace

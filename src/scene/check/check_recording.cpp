@@ -38,19 +38,19 @@ bool check_ends(Findings& findings, const Window& window) {
   bool sound = range && time;
   if (range && window.range_end_m <= window.range_start_m) {
     sound = false;
-    findings.error("range_end_m", {.message = "the slant range window is empty",
+    findings.error("range_end_m", {.id = "range-window.empty",
+                                   .message = "the slant range window is empty",
                                    .found = fmt::format("{} to {}", value_text(window.range_start_m, "m"),
                                                         value_text(window.range_end_m, "m")),
-                                   .expected = "an end beyond the start",
-                                   .hint = {}});
+                                   .expected = "an end beyond the start"});
   }
   if (time && window.time_end_s < window.time_start_s) {
     sound = false;
-    findings.error("time_end_s", {.message = "the azimuth window ends before it starts",
+    findings.error("time_end_s", {.id = "azimuth-window.empty",
+                                  .message = "the azimuth window ends before it starts",
                                   .found = fmt::format("{} to {}", value_text(window.time_start_s, "s"),
                                                        value_text(window.time_end_s, "s")),
-                                  .expected = "an end at or after the start",
-                                  .hint = {}});
+                                  .expected = "an end at or after the start"});
   }
   return sound;
 }
@@ -60,17 +60,18 @@ radar::PulseRange check_pulses(Findings& findings, const Window& window, const r
   const double farthest_s = std::max(std::abs(window.time_start_s), std::abs(window.time_end_s));
   if (farthest_s / repetition.mean_interval_s() >= exact_integers) {
     findings.error("time_end_s",
-                   {.message = "the azimuth window is too long or too far from zero to number its pulses",
+                   {.id = "azimuth-window.too-many-pulses",
+                    .message = "the azimuth window is too long or too far from zero to number its pulses",
                     .found = fmt::format("{:.3g} pulses from zero", farthest_s / repetition.mean_interval_s()),
-                    .expected = fmt::format("below {:.3g}", exact_integers),
-                    .hint = {}});
+                    .expected = fmt::format("below {:.3g}", exact_integers)});
     return {};
   }
   const radar::PulseRange pulses = repetition.pulses_in(window.time_start_s, window.time_end_s);
   if (pulses.count() > 0) return pulses;
   findings.error(
       "time_end_s",
-      {.message = "no pulse leaves within the azimuth window",
+      {.id = "azimuth-window.no-pulse",
+       .message = "no pulse leaves within the azimuth window",
        .found = fmt::format("{} to {}", value_text(window.time_start_s, "s"), value_text(window.time_end_s, "s")),
        .expected = fmt::format("a window that holds the send time of a pulse, for instance {} or {}",
                                value_text(repetition.send_time_s(pulses.first - 1), "s"),
@@ -87,7 +88,8 @@ double sample_count(const Simulation& simulation) {
 
 void report_long_row(Findings& findings, std::string_view field, const char* message, double samples,
                      std::string found) {
-  findings.error(field, {.message = fmt::format("{} of {:.4g} samples is too long", message, samples),
+  findings.error(field, {.id = "row.too-long",
+                         .message = fmt::format("{} of {:.4g} samples is too long", message, samples),
                          .found = std::move(found),
                          .expected = fmt::format("up to {:g} samples", longest_row),
                          .hint = "Sample more slowly or take a shorter one; a row is made in memory."});
@@ -121,7 +123,8 @@ void check_samples(Findings& findings, const Simulation& simulation, double rows
   const double columns = sample_count(simulation);
   if (columns < 1.0) {
     findings.error("sample_rate_hz",
-                   {.message = "the slant range window is too short for one sample",
+                   {.id = "range-window.no-sample",
+                    .message = "the slant range window is too short for one sample",
                     .found = fmt::format("{} at {}", value_text(simulation.range_end_m - simulation.range_start_m, "m"),
                                          value_text(simulation.sample_rate_hz, "Hz")),
                     .expected = fmt::format(
@@ -134,7 +137,8 @@ void check_samples(Findings& findings, const Simulation& simulation, double rows
     return;
   }
   if (std::max(rows, 1.0) * columns > exact_integers)
-    findings.error("time_end_s", {.message = fmt::format("a recording of {:.2g} samples cannot be made",
+    findings.error("time_end_s", {.id = "recording.too-large",
+                                  .message = fmt::format("a recording of {:.2g} samples cannot be made",
                                                          std::max(rows, 1.0) * columns),
                                   .found = fmt::format("{:.4g} pulses of {:.4g} samples", std::max(rows, 1.0), columns),
                                   .expected = fmt::format("fewer than {:.2g} samples", exact_integers),
@@ -144,26 +148,27 @@ void check_samples(Findings& findings, const Simulation& simulation, double rows
 void check_file(Findings& findings, std::string_view file) {
   const std::string_view base = file.substr(file.find_last_of("/\\") + 1);
   if (!base.empty() && base != "." && base != "..") return;
-  findings.error("file", {.message = "the output file has no name",
+  findings.error("file", {.id = "output.no-name",
+                          .message = "the output file has no name",
                           .found = std::string(file),
-                          .expected = "the name of a file",
-                          .hint = {}});
+                          .expected = "the name of a file"});
 }
 
 // Only a band-limited pulse is shaped by them (decision 7).
 void check_pulse_factors(Findings& findings, const Simulation& simulation, PulseDefinition pulse) {
   if (simulation.width_factor > 0.0 && simulation.width_factor < 1.0)
-    findings.error("width_factor", {.message = "the kept length of a band-limited pulse is below its nominal length",
+    findings.error("width_factor", {.id = "band-limited-pulse.too-short",
+                                    .message = "the kept length of a band-limited pulse is below its nominal length",
                                     .found = value_text(simulation.width_factor, ""),
-                                    .expected = "0, which keeps all of it, or 1 to 100 pulse widths",
-                                    .hint = {}});
+                                    .expected = "0, which keeps all of it, or 1 to 100 pulse widths"});
   const bool numbers =
       is_sound<&Simulation::oversampling>(simulation) && is_sound<&Simulation::width_factor>(simulation);
   if (!numbers || pulse != PulseDefinition::ideal) return;
   if (simulation.oversampling == 1.0 && simulation.width_factor <= 1.0) return;
   findings.note(
       simulation.oversampling == 1.0 ? "width_factor" : "oversampling",
-      {.message = "the pulse is ideal: its over-sampling factor and kept length have no effect",
+      {.id = "ideal-pulse.needless-values",
+       .message = "the pulse is ideal: its over-sampling factor and kept length have no effect",
        .found =
            fmt::format("{} and {}", value_text(simulation.oversampling, ""), value_text(simulation.width_factor, "")),
        .expected = "1 and 0, or a pulse that is limited to its band",
@@ -176,10 +181,10 @@ void check_pulse_factors(Findings& findings, const Simulation& simulation, Pulse
 void check_converter(Findings& findings, const Simulation& simulation) {
   if (simulation.bits > 53)
     findings.warning(Consequence::surprise, "bits",
-                     {.message = "numbers are exact to 53 bits only; the lowest bits of larger ones mean nothing",
+                     {.id = "bits.beyond-exact",
+                      .message = "numbers are exact to 53 bits only; the lowest bits of larger ones mean nothing",
                       .found = std::to_string(simulation.bits),
-                      .expected = "up to 53",
-                      .hint = {}});
+                      .expected = "up to 53"});
 }
 
 // The band that sampling has to keep. A given shape has edges of any kind, and what lies beyond nine tenths of its
@@ -198,7 +203,8 @@ void check_bandwidth(Findings& findings, const Simulation& simulation, const Rad
   const bool folds = pulse == PulseDefinition::ideal;
   findings.warning(
       folds ? Consequence::false_signal : Consequence::lost_signal, "sample_rate_hz",
-      {.message = "the sampling frequency is below the bandwidth of the pulse",
+      {.id = "sampling.below-bandwidth",
+       .message = "the sampling frequency is below the bandwidth of the pulse",
        .found = value_text(simulation.sample_rate_hz, "Hz"),
        .expected = fmt::format("at least {}{}", value_text(*bandwidth_hz, "Hz"),
                                radar.pulse == Radar::Pulse::user ? ", which holds 90 % of its energy" : ""),
@@ -217,15 +223,16 @@ void check_ranges(Findings& findings, const Simulation& simulation, const Radar&
   if (simulation.range_start_m < -lead_m)
     findings.warning(
         Consequence::surprise, "range_start_m",
-        {.message = "the slant range window starts before the radar; that part is empty",
+        {.id = "range-window.before-radar",
+         .message = "the slant range window starts before the radar; that part is empty",
          .found = value_text(simulation.range_start_m, "m"),
-         .expected = centred ? value_text(-lead_m, "m") + " or more, half a pulse before the radar" : "0 m or more",
-         .hint = {}});
+         .expected = centred ? value_text(-lead_m, "m") + " or more, half a pulse before the radar" : "0 m or more"});
   const double unambiguous_m = radar::range_of(repetition.shortest_interval_s(), core::exact_light_speed_mps);
   if (simulation.range_end_m <= unambiguous_m) return;
   findings.warning(
       Consequence::lost_signal, "range_end_m",
-      {.message = std::string(window_beyond_range),
+      {.id = "range-window.beyond-unambiguous",
+       .message = "the slant range window reaches beyond the unambiguous range",
        .found = value_text(simulation.range_end_m, "m"),
        .expected = fmt::format("up to {:.6g} m, c/2 times the shortest pulse interval", unambiguous_m),
        .hint = "Echoes from there come back after the next pulse has left, among the echoes of that one. From "
@@ -237,36 +244,37 @@ void check_burst(Findings& findings, const Radar& radar, const radar::PulseRange
   const std::int64_t first = -radar::floor_divide(-pulses.first, length);
   const std::int64_t beyond = radar::floor_divide(pulses.last + 1, length);
   if (pulses.count() == 0 || first < beyond) return;
-  findings.error("time_end_s",
-                 {.message = "the azimuth window holds no complete burst of frequency steps",
-                  .found = fmt::format("pulses {} to {}", pulses.first, pulses.last),
-                  .expected = fmt::format("all {0} pulses of a burst; a burst begins at each multiple of {0}", length),
-                  .hint = {}});
+  findings.error("time_end_s", {.id = "bursts.none-complete",
+                                .message = "the azimuth window holds no complete burst of frequency steps",
+                                .found = fmt::format("pulses {} to {}", pulses.first, pulses.last),
+                                .expected = fmt::format(
+                                    "all {0} pulses of a burst; a burst begins at each multiple of {0}", length)});
 }
 
 // A range profile is synthesised from the steps of a burst: there have to be some, and they have to fit the pulse.
 void check_profile(Findings& findings, const Radar& radar, const radar::PulseRange& pulses) {
   if (radar.carrier != Radar::Carrier::stepped || radar.carrier_steps < 2) {
     findings.error("processing",
-                   {.message = "synthetic range profiles need a carrier with at least two frequency steps",
+                   {.id = "profiles.no-steps",
+                    .message = "synthetic range profiles need a carrier with at least two frequency steps",
                     .found = radar.carrier == Radar::Carrier::stepped ? fmt::format("{} step", radar.carrier_steps)
                                                                       : std::string("a carrier that does not step"),
-                    .expected = "STEPPED with 2 or more steps",
-                    .hint = {}});
+                    .expected = "STEPPED with 2 or more steps"});
     return;
   }
   if (!std::isfinite(radar.carrier_step_hz) || radar.pulses_per_step < 1) return;
   if (radar.carrier_step_hz == 0.0) {
-    findings.error("processing", {.message = "synthetic range profiles need a frequency step other than zero",
+    findings.error("processing", {.id = "profiles.zero-step",
+                                  .message = "synthetic range profiles need a frequency step other than zero",
                                   .found = value_text(radar.carrier_step_hz, "Hz"),
-                                  .expected = "a step up to the bandwidth of the pulse",
-                                  .hint = {}});
+                                  .expected = "a step up to the bandwidth of the pulse"});
     return;
   }
   check_burst(findings, radar, pulses);
   if (radar.pulse == Radar::Pulse::chirp || radar.pulse == Radar::Pulse::barker)
     findings.warning(Consequence::surprise, "processing",
-                     {.message = "the pulse is modulated, but its sub-bands are not joined: one sample of each step "
+                     {.id = "profiles.modulated-pulse",
+                      .message = "the pulse is modulated, but its sub-bands are not joined: one sample of each step "
                                  "makes the profile",
                       .found = radar.pulse == Radar::Pulse::chirp ? "a chirp" : "a Barker code",
                       .expected = "MONO",
@@ -275,7 +283,8 @@ void check_profile(Findings& findings, const Radar& radar, const radar::PulseRan
   if (radar.pulse_width_s * step_hz > 1.0 + 1e-9)
     findings.warning(
         Consequence::false_signal, "processing",
-        {.message =
+        {.id = "profiles.shorter-than-pulse",
+         .message =
              "the frequency steps are wider apart than one over the pulse width: a profile is shorter than the pulse",
          .found = fmt::format("profile of {:.4g} m, pulse of {:.4g} m",
                               radar::range_of_cycle(step_hz, core::exact_light_speed_mps),
@@ -316,16 +325,14 @@ void check_geometry_table(Findings& findings, NameCheck& radars, const Scene& sc
   check_values(findings, table);
   const bool window_sound = check_ends(findings, window_of(table));
   if (table.columns < 0 || table.columns > 255)
-    findings.error("columns", {.message = "the choice of columns is out of range",
+    findings.error("columns", {.id = "geometry.columns",
+                               .message = "the choice of columns is out of range",
                                .found = std::to_string(table.columns),
-                               .expected = "0 to 255, the sum of the numbers of the columns",
-                               .hint = {}});
+                               .expected = "0 to 255, the sum of the numbers of the columns"});
   check_file(findings, table.file);
   if (!scene.clouds.empty())
-    findings.note("", {.message = "the table lists targets alone: points of clouds have no columns",
-                       .found = {},
-                       .expected = {},
-                       .hint = {}});
+    findings.note(
+        "", {.id = "geometry.no-clouds", .message = "the table lists targets alone: points of clouds have no columns"});
   const auto repetition = index == not_found ? std::nullopt : repetition_of(scene.radars[index]);
   if (window_sound && repetition) check_pulses(findings, window_of(table), *repetition);
 }
@@ -341,7 +348,8 @@ void check_file_names(Findings& findings, const Scene& scene) {
     const std::string_view extension = dot == std::string_view::npos ? std::string_view{} : base.substr(dot);
     findings.about(kind, index);
     findings.warning(Consequence::surprise, "file",
-                     {.message = "another product has the same file name",
+                     {.id = "output.same-name",
+                      .message = "another product has the same file name",
                       .found = std::string(base),
                       .expected = "a name of its own",
                       .hint = fmt::format("This one is written as {}-{}{}.", stem, times, extension)});

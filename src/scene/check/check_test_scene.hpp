@@ -65,6 +65,7 @@ inline core::Problem expect_single(const Scene& scene, core::Severity severity, 
   EXPECT_EQ(problem.severity, severity) << core::to_string(problem);
   EXPECT_EQ(problem.subject, subject) << problem.subject.kind << " " << problem.subject.index << " "
                                       << problem.subject.field << ": " << core::to_string(problem);
+  EXPECT_FALSE(problem.id.name().empty());
   EXPECT_FALSE(problem.message.empty());
   EXPECT_TRUE(problem.place.file.empty() && problem.place.line == 0);
   return problem;

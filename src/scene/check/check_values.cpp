@@ -22,8 +22,8 @@ const Range& range_for(const FieldSpec& spec, bool applies) {
   return applies ? *spec.usable : any_value;
 }
 
-Finding broken(std::string message, std::string found, std::string expected) {
-  return {.message = std::move(message), .found = std::move(found), .expected = std::move(expected), .hint = {}};
+Finding broken(core::RuleId id, std::string message, std::string found, std::string expected) {
+  return {.id = id, .message = std::move(message), .found = std::move(found), .expected = std::move(expected)};
 }
 
 Finding outside(const FieldSpec& spec, const Range& range, double value) {
@@ -35,17 +35,20 @@ Finding outside(const FieldSpec& spec, const Range& range, double value) {
   if (std::isfinite(range.low) && std::isfinite(range.high)) {
     const std::string high = value_text(range.high, unit);
     return broken(
-        fmt::format("the {} is out of range", noun), std::move(found),
+        "value.out-of-range", fmt::format("the {} is out of range", noun), std::move(found),
         range.low_excluded ? fmt::format("above {} and up to {}", low, high) : fmt::format("{} to {}", low, high));
   }
   if (!std::isfinite(range.low))
-    return broken(fmt::format("the {} is out of range", noun), std::move(found),
+    return broken("value.out-of-range", fmt::format("the {} is out of range", noun), std::move(found),
                   fmt::format("up to {}", value_text(range.high, unit)));
-  if (count && range.low == 1.0) return broken(fmt::format("the {} is below one", noun), std::move(found), "1 or more");
+  if (count && range.low == 1.0)
+    return broken("value.below-one", fmt::format("the {} is below one", noun), std::move(found), "1 or more");
   if (range.low == 0.0 && !range.low_excluded)
-    return broken(fmt::format("the {} is negative", noun), std::move(found), "0 or a number above");
-  if (value <= 0.0) return broken(fmt::format("the {} is not above zero", noun), std::move(found), "a number above 0");
-  return broken(fmt::format("the {} is too small", noun), std::move(found),
+    return broken("value.negative", fmt::format("the {} is negative", noun), std::move(found), "0 or a number above");
+  if (value <= 0.0)
+    return broken("value.not-above-zero", fmt::format("the {} is not above zero", noun), std::move(found),
+                  "a number above 0");
+  return broken("value.too-small", fmt::format("the {} is too small", noun), std::move(found),
                 fmt::format("at least {}", value_text(range.low, unit)));
 }
 
@@ -57,7 +60,8 @@ std::optional<Finding> fault_of_number(const FieldSpec& spec, double value, bool
   const std::string_view noun = noun_for(spec);
   const std::string_view unit = base_unit(spec.quantity);
   if (std::isfinite(value)) return too_large(noun, value_text(value, unit), unit);
-  return broken(fmt::format("the {} is not a finite number", noun), value_text(value, unit), "a finite number");
+  return broken("value.not-finite", fmt::format("the {} is not a finite number", noun), value_text(value, unit),
+                "a finite number");
 }
 
 std::string vector_text(const core::Vec3& v, std::string_view unit) {
@@ -72,10 +76,12 @@ std::optional<Finding> fault_of_vector(const FieldSpec& spec, const core::Vec3& 
   const std::string_view noun = noun_for(spec);
   const std::string_view unit = base_unit(spec.quantity);
   std::string found = vector_text(value, unit);
-  if (numeric) return broken(fmt::format("the {} is negative", noun), std::move(found), "0 or numbers above");
+  if (numeric)
+    return broken("value.negative", fmt::format("the {} is negative", noun), std::move(found), "0 or numbers above");
   if (std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z))
     return too_large(noun, std::move(found), unit);
-  return broken(fmt::format("the {} is not made of finite numbers", noun), std::move(found), "finite numbers");
+  return broken("value.not-finite", fmt::format("the {} is not made of finite numbers", noun), std::move(found),
+                "finite numbers");
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -40,10 +39,10 @@ Document::Findings findings_of(ScriptReading reading, const Scene& scene, const 
     std::erase_if(of_scene, [&](const core::Problem& problem) {
       return std::ranges::find(reading.of_names, problem.subject, &core::Problem::subject) != reading.of_names.end();
     });
-    std::ranges::move(reading.of_names, std::back_inserter(of_scene));
-    std::ranges::copy(of_files, std::back_inserter(of_scene));
+    core::append(of_scene, std::move(reading.of_names));
+    core::append(of_scene, of_files);
     locate(of_scene, reading.places);
-    std::ranges::move(of_scene, std::back_inserter(reading.problems));
+    core::append(reading.problems, std::move(of_scene));
   }
   return {core::ranked(std::move(reading.problems)), std::move(reading.places), std::move(reading.names)};
 }
@@ -66,10 +65,11 @@ Document Document::open(const fs::path& path) {
   // Whoever has the document on a screen cannot wait for the other end of a pipe.
   std::error_code ignored;
   if (fs::is_fifo(path, ignored)) {
-    core::Problem problem = core::problem_of(core::Severity::error, "cannot read the script: it is a pipe", {}, {},
-                                             "write what comes out of it into a file");
-    problem.place.file = path.string();
-    document.findings_ = {{std::move(problem)}, document.places(), {}};
+    document.findings_ = {{core::error("cannot read the script: it is a pipe")
+                               .hint("write what comes out of it into a file")
+                               .in(path.string())},
+                          document.places(),
+                          {}};
     return document;
   }
   std::optional<std::string> bytes = read_text_file(path);
@@ -81,10 +81,7 @@ Document Document::open(const fs::path& path) {
       return document;
     }
     if (!core::has_errors(reading.problems)) {
-      core::Problem problem;
-      problem.message = "cannot read the script";
-      problem.place.file = path.string();
-      reading.problems.push_back(std::move(problem));
+      reading.problems.push_back(core::error("cannot read the script").in(path.string()));
     }
     document.findings_ = {core::ranked(std::move(reading.problems)), document.places(), {}};
     return document;
@@ -151,8 +148,8 @@ DataFileLoader Document::disk() const { return disk_loader(path_.parent_path());
 ScriptReading Document::read(const std::string& text) const {
   if (language::is_json(text)) {
     ScriptReading reading;
-    reading.problems.push_back(core::problem_of(core::Severity::error, "a scene in JSON cannot be edited", {}, {},
-                                                "open its file: it then goes on in TOML"));
+    reading.problems.push_back(
+        core::error("a scene in JSON cannot be edited").hint("open its file: it then goes on in TOML"));
     return reading;
   }
   return read_draft(text, path_, data_);

@@ -62,13 +62,10 @@ class CsvReader {
   void add(const TableLine& line, std::string message, std::string_view found, std::string expected_text,
            core::Severity severity = core::Severity::error) {
     if (problems_.size() >= max_problems) return;
-    core::Problem problem;
-    problem.severity = severity;
-    problem.message = std::move(message);
-    problem.found = core::quoted_word(found);
-    problem.expected = std::move(expected_text);
-    problem.place = {file_name_, line.number, 0};
-    problems_.push_back(std::move(problem));
+    problems_.push_back(core::ProblemBuilder(severity, std::move(message))
+                            .found(core::quoted_word(found))
+                            .expected(std::move(expected_text))
+                            .in(file_name_, line.number));
   }
 
   void read_heading(const TableLine& line) {

@@ -53,11 +53,8 @@ core::Problem problem_of(core::Severity severity, const TableLine& line, std::st
                          std::string expected) {
   constexpr std::size_t longest = 80;
   if (found.size() > longest) found.replace(longest, std::string::npos, "...");
-  core::Problem problem;
-  problem.severity = severity;
-  problem.message = std::move(message);
-  problem.found = std::move(found);
-  problem.expected = std::move(expected);
+  core::Problem problem =
+      core::ProblemBuilder(severity, std::move(message)).found(std::move(found)).expected(std::move(expected));
   problem.place.line = line.number;
   return problem;
 }

@@ -47,10 +47,11 @@ std::optional<core::Problem> problem_of_other_sets(std::span<const ElementSet> s
     if (!same) ++others;
   }
   if (others == 0) return std::nullopt;
-  return core::problem_of(core::Severity::warning,
-                          fmt::format("{} sets of the epoch {} differ in their elements; the first of them counts",
-                                      others + 1, radar::format_civil(chosen.epoch)),
-                          found, "one set of an epoch", "remove those that were replaced");
+  return core::warning(fmt::format("{} sets of the epoch {} differ in their elements; the first of them counts",
+                                   others + 1, radar::format_civil(chosen.epoch)))
+      .found(found)
+      .expected("one set of an epoch")
+      .hint("remove those that were replaced");
 }
 
 }  // namespace sarsim::scene

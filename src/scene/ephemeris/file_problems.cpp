@@ -37,10 +37,11 @@ std::string shown(std::string_view text, std::string_view at, std::string_view f
 FileProblems::Mark FileProblems::add(core::Severity severity, std::string_view at, ProblemWords words) {
   std::size_t& count = severity == core::Severity::error ? errors_ : warnings_;
   if (count++ >= limit) return unlisted;
-  core::Problem problem = core::problem_of(severity, std::move(words.message), shown(text_, at, words.found, quoted_),
-                                           std::move(words.expected), std::move(words.hint));
-  problem.place = place_of(at);
-  problems_.push_back(std::move(problem));
+  problems_.push_back(core::ProblemBuilder(severity, std::move(words.message))
+                          .found(shown(text_, at, words.found, quoted_))
+                          .expected(std::move(words.expected))
+                          .hint(std::move(words.hint))
+                          .in(place_of(at)));
   return problems_.size();
 }
 
@@ -67,15 +68,10 @@ core::Place FileProblems::place_of(std::string_view at) {
 }
 
 core::Problems FileProblems::take() {
-  if (errors_ >= limit) {
-    core::Problem stopped;
-    stopped.message = fmt::format("reading stopped after {} errors", limit);
-    stopped.place = {file_, 0, 0};
-    problems_.push_back(std::move(stopped));
-  }
+  if (errors_ >= limit)
+    problems_.push_back(core::error(fmt::format("reading stopped after {} errors", limit)).in(file_));
   if (warnings_ > limit)
-    problems_.push_back(core::problem_of(core::Severity::note,
-                                         fmt::format("{} more warnings are not shown", warnings_ - limit), {}, {}, {}));
+    problems_.push_back(core::note(fmt::format("{} more warnings are not shown", warnings_ - limit)));
   return std::exchange(problems_, {});
 }
 

@@ -27,11 +27,6 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // The motion that a reader sees.
 using Rebuilt = std::function<OrbitState(double time_s)>;
 
-Problem error_problem(std::string message, std::string found, std::string expected, std::string hint = {}) {
-  return core::problem_of(core::Severity::error, std::move(message), std::move(found), std::move(expected),
-                          std::move(hint));
-}
-
 std::optional<radar::StateInterpolation> polynomial_of(Reconstruction reconstruction) {
   switch (reconstruction) {
     case Reconstruction::hermite_degree_7: return radar::hermite_degree_7;
@@ -45,12 +40,13 @@ bool finite(const core::Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.
 
 std::optional<Problem> fault_of_times(std::span<const double> time_s, Reconstruction reconstruction) {
   if (time_s.size() < fewest_samples(reconstruction))
-    return error_problem("there are too few samples to interpolate", fmt::format("{} samples", time_s.size()),
-                         fmt::format("{} or more", fewest_samples(reconstruction)));
+    return core::error("there are too few samples to interpolate")
+        .found(fmt::format("{} samples", time_s.size()))
+        .expected(fmt::format("{} or more", fewest_samples(reconstruction)));
   const auto out_of_order = [](double a, double b) { return !(a < b); };
   const bool whole = std::isfinite(time_s.front()) && std::isfinite(time_s.back());
   if (whole && std::adjacent_find(time_s.begin(), time_s.end(), out_of_order) == time_s.end()) return std::nullopt;
-  return error_problem("the times of samples do not ascend", "", "finite times, each above the one before");
+  return core::error("the times of samples do not ascend").expected("finite times, each above the one before");
 }
 
 Rebuilt spline_of(const radar::StateSamples& samples, Reconstruction reconstruction) {
@@ -133,8 +129,9 @@ class Comparison {
 
  private:
   static Problem not_finite(double time_s) {
-    return error_problem("the motion is not finite at " + core::format_number(time_s) + " s", "",
-                         "a position and a velocity at every time", "choose other times");
+    return core::error("the motion is not finite at " + core::format_number(time_s) + " s")
+        .expected("a position and a velocity at every time")
+        .hint("choose other times");
   }
 
   std::optional<Problem> take_samples() {
@@ -220,8 +217,9 @@ std::variant<SpacingChoice, Problem> spacing_for(const MotionPath& path, const S
   constexpr std::size_t fewest_places = 4000;
   const double length_s = wish.last_s - wish.first_s;
   if (!(length_s > 0.0) || !std::isfinite(length_s) || !(wish.error_m > 0.0))
-    return error_problem("no spacing can be chosen", fmt::format("{} s, below {} m", length_s, wish.error_m),
-                         "times that ascend, and a limit above 0");
+    return core::error("no spacing can be chosen")
+        .found(fmt::format("{} s, below {} m", length_s, wish.error_m))
+        .expected("times that ascend, and a limit above 0");
   std::optional<SpacingChoice> tried;
   const auto most = static_cast<double>(std::min<std::size_t>(wish.max_samples, 1'000'000'000));
   for (int step = widest_step(length_s); length_s / spacing_of(step) + 2.0 <= most; --step) {
@@ -237,12 +235,11 @@ std::variant<SpacingChoice, Problem> spacing_for(const MotionPath& path, const S
     // Below a few units of the last place of the coordinates nothing gets better.
     if (tried->error.position_m <= 8.0 * std::numeric_limits<double>::epsilon() * comparison.farthest_m()) break;
   }
-  return error_problem(
-      fmt::format("no spacing keeps the error below {} m", core::format_number(wish.error_m)),
-      tried ? fmt::format("{:.3g} m with {} s", tried->error.position_m, core::format_number(tried->spacing_s))
-            : fmt::format("{} samples at most", wish.max_samples),
-      fmt::format("a limit that {} samples and the rounding of coordinates allow", wish.max_samples),
-      "choose a larger limit, a shorter time, or another interpolation");
+  return core::error(fmt::format("no spacing keeps the error below {} m", core::format_number(wish.error_m)))
+      .found(tried ? fmt::format("{:.3g} m with {} s", tried->error.position_m, core::format_number(tried->spacing_s))
+                   : fmt::format("{} samples at most", wish.max_samples))
+      .expected(fmt::format("a limit that {} samples and the rounding of coordinates allow", wish.max_samples))
+      .hint("choose a larger limit, a shorter time, or another interpolation");
 }
 
 }  // namespace sarsim::scene

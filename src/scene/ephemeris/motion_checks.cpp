@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -26,15 +25,15 @@ bool finite(const core::Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.
 Fault fault_of_place(const core::Vec3& position_m, double time_s, const radar::EarthFrame& earth) {
   const double distance_m = core::norm(earth.ecef_from_world(position_m));
   if (!(distance_m <= max_distant_m))
-    return motion_problem(fmt::format("the platform is too far from the Earth at {} s", core::format_number(time_s)),
-                          fmt::format("{:.6g} m from its centre", distance_m),
-                          fmt::format("at most {:.0e} m", max_distant_m));
+    return core::error(fmt::format("the platform is too far from the Earth at {} s", core::format_number(time_s)))
+        .found(fmt::format("{:.6g} m from its centre", distance_m))
+        .expected(fmt::format("at most {:.0e} m", max_distant_m));
   const double height_m = earth.geodetic_of(position_m).height_m;
   if (!(height_m >= lowest_height_m))
-    return motion_problem(fmt::format("the platform is below the ground at {} s", core::format_number(time_s)),
-                          fmt::format("{:.6g} m above the ellipsoid", height_m),
-                          fmt::format("at least {} m", lowest_height_m),
-                          "are heights and the anchor of the world right?");
+    return core::error(fmt::format("the platform is below the ground at {} s", core::format_number(time_s)))
+        .found(fmt::format("{:.6g} m above the ellipsoid", height_m))
+        .expected(fmt::format("at least {} m", lowest_height_m))
+        .hint("are heights and the anchor of the world right?");
   return std::nullopt;
 }
 
@@ -44,10 +43,11 @@ Fault fault_of_name(std::string_view what, std::string_view value) {
   const bool fits = !value.empty() && value.size() <= longest_name && core::trimmed(value) == value &&
                     std::ranges::none_of(value, is_control) && !value.ends_with(']');
   if (fits) return std::nullopt;
-  return motion_problem(
-      fmt::format("{} cannot stand in a CCSDS message", what), core::clipped(value),
-      fmt::format("1 to {} characters on one line, without blanks at the ends and ] at the end", longest_name),
-      "give the platform another name for the file");
+  return core::error(fmt::format("{} cannot stand in a CCSDS message", what))
+      .found(core::clipped(value))
+      .expected(
+          fmt::format("1 to {} characters on one line, without blanks at the ends and ] at the end", longest_name))
+      .hint("give the platform another name for the file");
 }
 
 // Within the years of the calendar, and without a leap second, by which UTC would not count evenly.
@@ -55,47 +55,48 @@ Fault fault_of_calendar(double first_s, double last_s, const radar::Instant& epo
   constexpr double longest_s = 3e11;
   const std::int64_t utc_begins_s = 86'400 * radar::first_utc_day_mjd + 10;
   if (!(std::max(std::abs(first_s), std::abs(last_s)) <= longest_s))
-    return motion_problem("a time is too far from the epoch", fmt::format("{} to {} s", first_s, last_s),
-                          fmt::format("within {:.0e} s", longest_s));
+    return core::error("a time is too far from the epoch")
+        .found(fmt::format("{} to {} s", first_s, last_s))
+        .expected(fmt::format("within {:.0e} s", longest_s));
   const radar::Instant first = radar::later(epoch, first_s);
   const radar::Instant last = radar::later(epoch, last_s);
   if (first.tai_s < utc_begins_s || radar::civil_of(last, radar::TimeScale::utc).year > 9999)
-    return motion_problem("a time is outside of the calendar",
-                          fmt::format("{} to {} s after the epoch", first_s, last_s), "times from 1972 to 9999",
-                          "correct the epoch of the scene");
+    return core::error("a time is outside of the calendar")
+        .found(fmt::format("{} to {} s after the epoch", first_s, last_s))
+        .expected("times from 1972 to 9999")
+        .hint("correct the epoch of the scene");
   if (!radar::leap_second_between(first, last)) return std::nullopt;
-  return motion_problem("a leap second lies among the samples",
-                        fmt::format("{} to {}", radar::format_instant(first, radar::TimeScale::utc),
-                                    radar::format_instant(last, radar::TimeScale::utc)),
-                        "a time without one, because times of UTC are not evenly spaced there",
-                        "write the times before and after it into two files, or move the epoch of the scene");
+  return core::error("a leap second lies among the samples")
+      .found(fmt::format("{} to {}", radar::format_instant(first, radar::TimeScale::utc),
+                         radar::format_instant(last, radar::TimeScale::utc)))
+      .expected("a time without one, because times of UTC are not evenly spaced there")
+      .hint("write the times before and after it into two files, or move the epoch of the scene");
 }
 
 }  // namespace
 
-core::Problem motion_problem(std::string message, std::string found, std::string expected, std::string hint) {
-  return core::problem_of(core::Severity::error, std::move(message), std::move(found), std::move(expected),
-                          std::move(hint));
-}
-
 Fault fault_of_count(std::size_t count) {
   if (count > 0 && count <= max_ephemeris_states) return std::nullopt;
-  return motion_problem(count == 0 ? "there are no samples to write" : "there are too many samples to write",
-                        fmt::format("{} samples", count), fmt::format("1 to {}", max_ephemeris_states),
-                        "choose another spacing or other times");
+  return core::error(count == 0 ? "there are no samples to write" : "there are too many samples to write")
+      .found(fmt::format("{} samples", count))
+      .expected(fmt::format("1 to {}", max_ephemeris_states))
+      .hint("choose another spacing or other times");
 }
 
 Fault fault_of_time(std::size_t sample, std::optional<double> before_s, double time_s, double closest_s) {
   if (!std::isfinite(time_s))
-    return motion_problem(fmt::format("the time of sample {} is not finite", sample + 1), fmt::format("{}", time_s),
-                          "a number of seconds");
+    return core::error(fmt::format("the time of sample {} is not finite", sample + 1))
+        .found(fmt::format("{}", time_s))
+        .expected("a number of seconds");
   if (!before_s || (time_s > *before_s && time_s - *before_s >= closest_s)) return std::nullopt;
   if (time_s > *before_s)
-    return motion_problem(fmt::format("samples {} and {} are too close for dates", sample, sample + 1),
-                          fmt::format("{} s apart", time_s - *before_s), fmt::format("at least {} s", closest_s));
-  return motion_problem(fmt::format("the time of sample {} does not ascend", sample + 1),
-                        core::format_number(time_s) + " s", fmt::format("above {} s", core::format_number(*before_s)),
-                        "sort the samples by time and give each time once");
+    return core::error(fmt::format("samples {} and {} are too close for dates", sample, sample + 1))
+        .found(fmt::format("{} s apart", time_s - *before_s))
+        .expected(fmt::format("at least {} s", closest_s));
+  return core::error(fmt::format("the time of sample {} does not ascend", sample + 1))
+      .found(core::format_number(time_s) + " s")
+      .expected(fmt::format("above {} s", core::format_number(*before_s)))
+      .hint("sort the samples by time and give each time once");
 }
 
 Fault fault_of_motion(std::span<const MotionSample> samples, const MotionFacts& facts, double closest_s) {
@@ -103,9 +104,10 @@ Fault fault_of_motion(std::span<const MotionSample> samples, const MotionFacts& 
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const MotionSample& sample = samples[i];
     if (!finite(sample.position_m) || !finite(sample.velocity_mps))
-      return motion_problem(
-          fmt::format("the position or velocity at {} s is not finite", core::format_number(sample.time_s)),
-          fmt::format("sample {}", i + 1), "finite numbers");
+      return core::error(
+                 fmt::format("the position or velocity at {} s is not finite", core::format_number(sample.time_s)))
+          .found(fmt::format("sample {}", i + 1))
+          .expected("finite numbers");
     if (!facts.earth) continue;
     if (Fault fault = fault_of_place(sample.position_m, sample.time_s, *facts.earth)) return fault;
   }
@@ -114,14 +116,17 @@ Fault fault_of_motion(std::span<const MotionSample> samples, const MotionFacts& 
 
 Fault fault_of_message(double first_s, double last_s, const MotionFacts& facts) {
   if (!facts.epoch)
-    return motion_problem("the scene has no epoch, and this format has dates only", "", "an epoch",
-                          "give the scene an epoch, or write a CSV table");
+    return core::error("the scene has no epoch, and this format has dates only")
+        .expected("an epoch")
+        .hint("give the scene an epoch, or write a CSV table");
   if (!facts.earth)
-    return motion_problem("the scene does not lie on the Earth, and this format has positions from its centre only", "",
-                          "an anchor", "give the scene an anchor on the Earth, or write a CSV table");
+    return core::error("the scene does not lie on the Earth, and this format has positions from its centre only")
+        .expected("an anchor")
+        .hint("give the scene an anchor on the Earth, or write a CSV table");
   if (!radar::parse_civil(facts.created).time)
-    return motion_problem("the creation date is not a time", core::clipped(facts.created),
-                          std::string(radar::civil_time_forms));
+    return core::error("the creation date is not a time")
+        .found(core::clipped(facts.created))
+        .expected(std::string(radar::civil_time_forms));
   if (Fault fault = fault_of_name("the name", facts.object_name)) return fault;
   if (Fault fault = fault_of_name("the identifier", facts.object_id)) return fault;
   return fault_of_calendar(first_s, last_s, *facts.epoch);

@@ -13,10 +13,6 @@
 /// What the writers of motions have in common.
 namespace sarsim::scene::ephemeris {
 
-/// An error of a request; it has no place.
-[[nodiscard]] core::Problem motion_problem(std::string message, std::string found, std::string expected,
-                                           std::string hint = {});
-
 /// Times of dates must be so far apart, s.
 inline constexpr double closest_dates_s = 1e-12;
 

@@ -12,7 +12,6 @@ namespace sarsim::scene {
 
 namespace {
 
-using ephemeris::motion_problem;
 using Fault = std::optional<core::Problem>;
 
 // By how much a matrix fails to be a rotation; NaN where it is not finite.
@@ -28,8 +27,9 @@ Fault fault_of_attitudes(std::span<const AttitudeSample> samples) {
   if (Fault fault = ephemeris::fault_of_times(samples, ephemeris::closest_dates_s)) return fault;
   for (const AttitudeSample& sample : samples)
     if (const double error = rotation_error(sample.world_from_platform); !(error <= largest_error))
-      return motion_problem(fmt::format("the attitude at {} s is not a rotation", core::format_number(sample.time_s)),
-                            fmt::format("off by {:.3g}", error), fmt::format("within {}", largest_error));
+      return core::error(fmt::format("the attitude at {} s is not a rotation", core::format_number(sample.time_s)))
+          .found(fmt::format("off by {:.3g}", error))
+          .expected(fmt::format("within {}", largest_error));
   return std::nullopt;
 }
 

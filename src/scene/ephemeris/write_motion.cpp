@@ -14,7 +14,6 @@ namespace {
 using ephemeris::append_vector;
 using ephemeris::fault_of_message;
 using ephemeris::fault_of_motion;
-using ephemeris::motion_problem;
 using ephemeris::refused;
 using ephemeris::stamp_of;
 using Fault = std::optional<core::Problem>;
@@ -51,9 +50,10 @@ Fault fault_of_interpolation(std::size_t count, const InterpolationHint& interpo
   const bool hermite = interpolation.method == InterpolationMethod::hermite;
   const std::size_t needed = hermite ? (conditions + 1) / 2 : conditions;
   if (interpolation.method == InterpolationMethod::unsaid || count >= needed) return std::nullopt;
-  return motion_problem("there are too few samples for the interpolation", fmt::format("{} samples", count),
-                        fmt::format("at least {} for degree {}", needed, conditions - 1),
-                        "choose a closer spacing or a lower degree");
+  return core::error("there are too few samples for the interpolation")
+      .found(fmt::format("{} samples", count))
+      .expected(fmt::format("at least {} for degree {}", needed, conditions - 1))
+      .hint("choose a closer spacing or a lower degree");
 }
 
 }  // namespace

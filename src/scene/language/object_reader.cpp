@@ -68,11 +68,12 @@ void ObjectReader::add(core::Severity severity, toml::Span at, std::string_view 
   const toml::Position position = lines_.at(at.begin);
   if (!entry_.empty() && !complaint.message.starts_with(entry_))
     complaint.message = fmt::format("{}: {}", entry_, complaint.message);
-  core::Problem problem = core::problem_of(severity, std::move(complaint.message), std::move(complaint.found),
-                                           std::move(complaint.expected), std::move(complaint.hint));
-  problem.place = {source_.file, position.line, position.column};
-  problem.subject = {std::string(kind_), index_, std::string(list_field_.empty() ? field : list_field_)};
-  reading_.log.add(std::move(problem));
+  reading_.log.add(core::ProblemBuilder(severity, std::move(complaint.message))
+                       .found(std::move(complaint.found))
+                       .expected(std::move(complaint.expected))
+                       .hint(std::move(complaint.hint))
+                       .in(source_.file, position.line, position.column)
+                       .at(std::string(kind_), index_, std::string(list_field_.empty() ? field : list_field_)));
 }
 
 void ObjectReader::error(toml::Span at, std::string_view field, script::Complaint complaint) {

@@ -1,7 +1,6 @@
 #include "scene/language/scene_reader.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -79,14 +78,16 @@ class SceneReader {
   void warn_of_anchor() {
     if (scene_.world.frame != World::Frame::earth || (says_latitude_ && says_longitude_)) return;
     const bool neither = !says_latitude_ && !says_longitude_;
-    core::Problem problem = core::problem_of(
-        core::Severity::warning,
-        neither ? "the world has no anchor: it lies at latitude 0 and longitude 0"
-                : fmt::format("the anchor has no {0}: it lies at {0} 0", says_latitude_ ? "longitude" : "latitude"),
-        {}, "anchor = { latitude = \"47.2 deg\", longitude = \"11.4 deg\" }", "write both, even where they are 0");
-    problem.subject = {"world", 0, "latitude"};
-    problem.place = reading_.places.find({"world", 0, neither ? "frame" : says_latitude_ ? "latitude" : "longitude"});
-    reading_.log.add(std::move(problem));
+    reading_.log.add(core::warning(neither ? "the world has no anchor: it lies at latitude 0 and longitude 0"
+                                           : fmt::format("the anchor has no {0}: it lies at {0} 0",
+                                                         says_latitude_ ? "longitude" : "latitude"))
+                         .expected("anchor = { latitude = \"47.2 deg\", longitude = \"11.4 deg\" }")
+                         .hint("write both, even where they are 0")
+                         .at("world", 0, "latitude")
+                         .in(reading_.places.find({"world", 0,
+                                                   neither          ? "frame"
+                                                   : says_latitude_ ? "latitude"
+                                                                    : "longitude"})));
   }
 
   /// What the places of the texts are turned into positions by.
@@ -101,8 +102,7 @@ class SceneReader {
         reading_.loader ? reading_.loader(world.geoid) : DataFileText{{}, {}, "data files cannot be read here"};
     core::Problem problem;
     if (!data.failure.empty() || data.path.empty()) {
-      problem =
-          core::problem_of(core::Severity::error, "cannot read the grid of the geoid", world.geoid, "", data.failure);
+      problem = core::error("cannot read the grid of the geoid").found(world.geoid).hint(data.failure);
     } else {
       auto grid = radar::read_geoid(data.text, world.geoid);
       if (auto* const read = std::get_if<radar::GeoidGrid>(&grid)) {
@@ -342,13 +342,15 @@ class References {
       if (is_world) before->second = name;
       known.insert(name);
       if (is_new || (is_world && name == "Earth")) continue;
-      core::Problem problem =
-          is_world ? core::problem_of(core::Severity::warning, "the world is called Earth", script::shown(name),
-                                      "Earth", "this is taken for the same platform; write its usual name everywhere")
-                   : core::problem_of(core::Severity::error,
-                                      fmt::format("another {} has this name{}", kind,
-                                                  before->second == name ? "" : ", but for capital letters"),
-                                      script::shown(name), "", "give it another name");
+      core::Problem problem = is_world
+                                  ? core::warning("the world is called Earth")
+                                        .found(script::shown(name))
+                                        .expected("Earth")
+                                        .hint("this is taken for the same platform; write its usual name everywhere")
+                                  : core::error(fmt::format("another {} has this name{}", kind,
+                                                            before->second == name ? "" : ", but for capital letters"))
+                                        .found(script::shown(name))
+                                        .hint("give it another name");
       report_at(std::move(problem), kind, i, "name");
     }
   }
@@ -379,8 +381,8 @@ class References {
 
   void report(std::string_view kind, std::size_t index, const char* refers, const char* field, const std::string& name,
               const std::set<std::string, std::less<>>& known) {
-    core::Problem problem = core::problem_of(
-        core::Severity::error, fmt::format("the scene has no {} of this name", refers), script::shown(name), "", "");
+    core::Problem problem =
+        core::error(fmt::format("the scene has no {} of this name", refers)).found(script::shown(name));
     const auto alike =
         std::ranges::find_if(known, [&](const auto& word) { return core::equal_ignoring_case(word, name); });
     const std::string near = alike != known.end() ? *alike : core::nearest_word(name, known);
@@ -397,9 +399,9 @@ class References {
 
 ScriptReading refuse_names(ScriptReading reading, const ReadControl& control) {
   for (const auto& [name, value] : control.let)
-    reading.problems.push_back(core::problem_of(core::Severity::error,
-                                                "--let: a script of the language of 1998 has no [let]",
-                                                name + "=" + value, "", "convert it: sarsim convert A.scr A.toml"));
+    reading.problems.push_back(core::error("--let: a script of the language of 1998 has no [let]")
+                                   .found(name + "=" + value)
+                                   .hint("convert it: sarsim convert A.scr A.toml"));
   return reading;
 }
 
@@ -428,7 +430,7 @@ ScriptReading read_format_2(std::string_view text, const std::string& file_name,
   ScriptReading result{std::move(scene),   reading.log.take(), std::move(reading.places),
                        Language::format_2, is_json(text),      std::move(reading.names)};
   result.of_names = std::move(of_names);
-  if (!control.draft) std::ranges::move(std::exchange(result.of_names, {}), std::back_inserter(result.problems));
+  if (!control.draft) core::append(result.problems, std::exchange(result.of_names, {}));
   for (const Source& source : sources.sources)
     if (!source.name.empty()) result.included.emplace_back(source.file);
   return result;

@@ -27,11 +27,11 @@ class SourceReader {
 
   void error(toml::Span at, script::Complaint complaint) {
     const toml::Position position = lines_.at(at.begin);
-    core::Problem problem =
-        core::problem_of(core::Severity::error, std::move(complaint.message), std::move(complaint.found),
-                         std::move(complaint.expected), std::move(complaint.hint));
-    problem.place = {source_.file, position.line, position.column};
-    reading_.log.add(std::move(problem));
+    reading_.log.add(core::error(std::move(complaint.message))
+                         .found(std::move(complaint.found))
+                         .expected(std::move(complaint.expected))
+                         .hint(std::move(complaint.hint))
+                         .in(source_.file, position.line, position.column));
   }
 
   void report_mistakes() {
@@ -180,8 +180,7 @@ class NamesReader {
 
   void stand_in(const std::string& name, const std::string& value) {
     if (!reading_.names.contains(name) && !places_.contains(name)) {
-      core::Problem problem =
-          core::problem_of(core::Severity::error, "--let: the scene has no such name in [let]", name, "", "");
+      core::Problem problem = core::error("--let: the scene has no such name in [let]").found(name);
       std::vector<std::string_view> names = reading_.names.all();
       if (const std::string near = core::nearest_word(name, names); !near.empty())
         problem.hint = fmt::format("did you mean '{}'?", near);
@@ -200,9 +199,9 @@ class NamesReader {
     for (NameFault& fault : reading_.names.resolve()) {
       const auto found = places_.find(fault.name);
       if (replaced_.contains(fault.name) || found == places_.end()) {
-        reading_.log.add(core::problem_of(core::Severity::error,
-                                          fmt::format("--let {}: {}", fault.name, fault.fault.message), "",
-                                          fault.fault.expected, fault.fault.hint));
+        reading_.log.add(core::error(fmt::format("--let {}: {}", fault.name, fault.fault.message))
+                             .expected(fault.fault.expected)
+                             .hint(fault.fault.hint));
         continue;
       }
       const NamePlace& place = found->second;

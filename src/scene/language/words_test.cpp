@@ -14,7 +14,7 @@ TEST(WordsOfFormat2, ReplaceThoseOfTheLanguageOf1998) {
 }
 
 TEST(WordsOfFormat2, WhatWasFoundStaysAsItIs) {
-  core::Problems problems{core::problem_of(core::Severity::error, "$RADAR", "$RADAR", "$RADAR", "$RADAR")};
+  core::Problems problems{core::error("$RADAR").found("$RADAR").expected("$RADAR").hint("$RADAR")};
   say_in_format_2(problems);
   EXPECT_EQ(problems[0].message, "[[radar]]");
   EXPECT_EQ(problems[0].found, "$RADAR");

@@ -170,7 +170,7 @@ DataFileReading read_counted(std::string_view text, const std::string& file_name
   reading.problems = log.take();
   if (const Token rest = tokens.peek(); !core::has_errors(reading.problems) && rest.kind != TokenKind::end) {
     reporter.warning(rest, "", {"numbers after the last function are ignored", shown(rest.text)});
-    for (core::Problem& problem : log.take()) reading.problems.push_back(std::move(problem));
+    core::append(reading.problems, log.take());
   }
   // One word of the file is enough to see that it is another kind of file.
   for (std::size_t i = 1; i < reading.problems.size(); ++i) reading.problems[i].found.clear();

@@ -258,14 +258,11 @@ bool is_known_format(std::string_view content) {
 
 core::Problem no_scene(std::string_view content, const std::string& file) {
   Guess guess = guess_with_hint(content);
-  core::Problem problem = core::problem_of(
-      core::Severity::error,
-      guess.kind.empty() ? std::string("this is no scene: it has no command")
-                         : fmt::format("this is no scene: it seems to be {}", guess.kind),
-      {}, "TOML with format = \"sarsim 2\", the same as JSON, or a script with commands such as $PLATFORM",
-      std::move(guess.hint));
-  problem.place.file = file;
-  return problem;
+  return core::error(guess.kind.empty() ? std::string("this is no scene: it has no command")
+                                        : fmt::format("this is no scene: it seems to be {}", guess.kind))
+      .expected("TOML with format = \"sarsim 2\", the same as JSON, or a script with commands such as $PLATFORM")
+      .hint(std::move(guess.hint))
+      .in(file);
 }
 
 }  // namespace sarsim::scene

@@ -120,30 +120,22 @@ void ProblemLog::add(core::Problem problem) {
 
 core::Problems ProblemLog::take() {
   if (errors_ >= limit_) {
-    core::Problem stopped;
-    stopped.message = fmt::format("reading stopped after {} errors", limit_);
+    core::Problem stopped = core::error(fmt::format("reading stopped after {} errors", limit_));
     if (!problems_.empty()) stopped.place = problems_.back().place;
     problems_.push_back(std::move(stopped));
   }
-  if (warnings_ > limit_) {
-    core::Problem more;
-    more.severity = core::Severity::note;
-    more.message = fmt::format("{} more warnings are not shown", warnings_ - limit_);
-    problems_.push_back(std::move(more));
-  }
+  if (warnings_ > limit_)
+    problems_.push_back(core::note(fmt::format("{} more warnings are not shown", warnings_ - limit_)));
   return std::move(problems_);
 }
 
 void Reporter::add(core::Severity severity, const Token& token, std::string_view member, Complaint complaint) {
-  core::Problem problem;
-  problem.severity = severity;
-  problem.message = std::move(complaint.message);
-  problem.found = std::move(complaint.found);
-  problem.expected = std::move(complaint.expected);
-  problem.hint = std::move(complaint.hint);
-  problem.place = {std::string(file_), token.line, token.column};
-  problem.subject = {std::string(object_.kind), object_.index, std::string(member)};
-  log_.add(std::move(problem));
+  log_.add(core::ProblemBuilder(severity, std::move(complaint.message))
+               .found(std::move(complaint.found))
+               .expected(std::move(complaint.expected))
+               .hint(std::move(complaint.hint))
+               .in(std::string(file_), token.line, token.column)
+               .at(std::string(object_.kind), object_.index, std::string(member)));
 }
 
 void Reporter::check_spelling(const Token& token, std::string_view member) {

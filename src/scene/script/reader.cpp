@@ -211,7 +211,7 @@ void warn_of_hidden_line(std::string_view text, const std::string& file_name, co
                {"the comment hides commands: its line does not end where it seems to",
                 text[at] == '\r' ? "a carriage return" : "a line separator of Unicode (U+2028 or U+2029)",
                 "a line feed", "save the script with line ends of one kind, LF or CR LF"});
-  for (core::Problem& problem : log.take()) problems.push_back(std::move(problem));
+  core::append(problems, log.take());
 }
 
 // Whether a text has a command, known or not: a '$' with a word.

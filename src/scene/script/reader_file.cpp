@@ -178,11 +178,8 @@ ScriptReading read_text_of_file(const fs::path& path, const ReadControl& control
   const FileBytes bytes = read_bytes(path, control.work.stop);
   if (bytes.failure.empty()) return read(bytes.text, path.string(), disk_loader(path.parent_path()), control);
   ScriptReading result;
-  core::Problem problem;
-  problem.message = fmt::format("cannot read the script: {}", bytes.failure);
-  problem.place.file = path.string();
-  problem.hint = remedy(path);
-  result.problems.push_back(std::move(problem));
+  result.problems.push_back(
+      core::error(fmt::format("cannot read the script: {}", bytes.failure)).in(path.string()).hint(remedy(path)));
   return result;
 }
 

@@ -24,12 +24,8 @@ namespace {
 
 constexpr std::size_t max_table_problems = 20;
 
-core::Problem table_problem(const std::string& file, std::size_t line, std::string message, std::string found = {},
-                            std::string expected = {}, std::string hint = {}) {
-  core::Problem problem = core::problem_of(core::Severity::error, std::move(message), std::move(found),
-                                           std::move(expected), std::move(hint));
-  problem.place = {file, line, 0};
-  return problem;
+core::ProblemBuilder table_problem(const std::string& file, std::size_t line, std::string message) {
+  return core::error(std::move(message)).in(file, line);
 }
 
 DataFileReading failed_table(const FunctionBlock& block, core::Problem problem) {
@@ -125,8 +121,10 @@ class TableFunctions {
     if (reading_.problems.size() >= max_table_problems) return;
     std::vector<core::Knot>& knots = reading_.functions[part];
     const auto fail = [&](std::string message, double found, std::string expected, std::string hint = {}) {
-      reading_.problems.push_back(table_problem(file_, 0, fmt::format("row {}: {}", row + 1, message),
-                                                core::format_number(found), std::move(expected), std::move(hint)));
+      reading_.problems.push_back(table_problem(file_, 0, fmt::format("row {}: {}", row + 1, message))
+                                      .found(core::format_number(found))
+                                      .expected(std::move(expected))
+                                      .hint(std::move(hint)));
     };
     for (const double value : {x, y})
       if (!computable(value))
@@ -151,7 +149,7 @@ class TableFunctions {
 DataFileReading functions_of_rows(const std::vector<double>& numbers, std::size_t columns, const std::string& file_name,
                                   const FunctionBlock& block, std::optional<bool> pulse_has_x) {
   if (numbers.empty())
-    return failed_table(block, table_problem(file_name, 0, "the table holds no numbers", {}, columns_text(block)));
+    return failed_table(block, table_problem(file_name, 0, "the table holds no numbers").expected(columns_text(block)));
   return TableFunctions(numbers, columns, file_name, block, pulse_has_x).take();
 }
 
@@ -183,17 +181,20 @@ class TextTable {
   [[nodiscard]] core::Problem wrong_columns() const {
     for (std::size_t i = named_ ? 1 : 0; i < lines_.size(); ++i)
       if (!suits(block_, lines_[i].cells.size()) || lines_[i].cells.size() != columns_)
-        return table_problem(file_, lines_[i].number, fmt::format("a table of {} has other columns", block_.words),
-                             fmt::format("{} in this row", lines_[i].cells.size()), columns_text(block_));
-    return table_problem(file_, 0, "the table holds no numbers", {}, columns_text(block_));
+        return table_problem(file_, lines_[i].number, fmt::format("a table of {} has other columns", block_.words))
+            .found(fmt::format("{} in this row", lines_[i].cells.size()))
+            .expected(columns_text(block_));
+    return table_problem(file_, 0, "the table holds no numbers").expected(columns_text(block_));
   }
 
   void read_names() {
     columns_named_ = named_columns(block_, named_ ? headings_of(lines_.front()) : std::vector<ColumnHeading>(),
                                    usual_columns(block_, columns_));
     if (auto& fault = columns_named_.fault) {
-      problems_.push_back(table_problem(file_, lines_.front().number, std::move(fault->message),
-                                        std::move(fault->found), std::move(fault->expected), std::move(fault->hint)));
+      problems_.push_back(table_problem(file_, lines_.front().number, std::move(fault->message))
+                              .found(std::move(fault->found))
+                              .expected(std::move(fault->expected))
+                              .hint(std::move(fault->hint)));
       return;
     }
     for (std::size_t i = 0; i < columns_; ++i) {
@@ -205,8 +206,9 @@ class TextTable {
       }
       if (units_of(quantity_of(axis)).empty() || !read_quantity("1 " + unit, quantity_of(axis)).value)
         problems_.push_back(table_problem(file_, lines_.front().number,
-                                          fmt::format("the unit of column {} is not that of {}", i + 1, axis.name),
-                                          core::quoted_word(unit), units_listed(quantity_of(axis))));
+                                          fmt::format("the unit of column {} is not that of {}", i + 1, axis.name))
+                                .found(core::quoted_word(unit))
+                                .expected(units_listed(quantity_of(axis))));
     }
   }
 
@@ -332,8 +334,9 @@ bool is_hdf5(std::string_view bytes) { return bytes.starts_with("\x89HDF\r\n\x1a
 DataFileReading functions_of_table(const std::vector<double>& numbers, std::size_t columns,
                                    const std::string& file_name, const FunctionBlock& block) {
   if (!numbers.empty() && !suits(block, columns))
-    return failed_table(block, table_problem(file_name, 0, fmt::format("a table of {} has other columns", block.words),
-                                             fmt::format("{} columns", columns), columns_text(block)));
+    return failed_table(block, table_problem(file_name, 0, fmt::format("a table of {} has other columns", block.words))
+                                   .found(fmt::format("{} columns", columns))
+                                   .expected(columns_text(block)));
   return functions_of_rows(numbers, columns, file_name, block, std::nullopt);
 }
 
@@ -341,8 +344,10 @@ std::optional<DataFileReading> read_npy_table(std::string_view bytes, const std:
                                               const FunctionBlock& block) {
   if (!bytes.starts_with("\x93NUMPY")) return std::nullopt;
   const auto fail = [&](std::string message, std::string found, std::string expected, std::string hint = {}) {
-    return failed_table(
-        block, table_problem(file_name, 0, std::move(message), std::move(found), std::move(expected), std::move(hint)));
+    return failed_table(block, table_problem(file_name, 0, std::move(message))
+                                   .found(std::move(found))
+                                   .expected(std::move(expected))
+                                   .hint(std::move(hint)));
   };
   const auto header = array_header(bytes);
   if (!header) return fail("the header of the array cannot be read", {}, "an array of numbers as numpy.save writes it");

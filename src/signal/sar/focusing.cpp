@@ -316,16 +316,6 @@ class Focuser {
   core::BasicFft<float> image_fft_;
 };
 
-core::Problem error(std::string message, double found, std::string_view unit, std::string expected,
-                    std::string hint = {}) {
-  core::Problem problem;
-  problem.message = std::move(message);
-  problem.found = fmt::format("{:.6g}{}{}", found, unit.empty() ? "" : " ", unit);
-  problem.expected = std::move(expected);
-  problem.hint = std::move(hint);
-  return problem;
-}
-
 // Rows are made from the record to the area, so that one that is far away is as large as one that is wide.
 void check_area(const EchoRows& echoes, const AxisInterval& area, const StraightTrack& track,
                 core::Problems& problems) {
@@ -337,13 +327,13 @@ void check_area(const EchoRows& echoes, const AxisInterval& area, const Straight
   const double rows = (std::max(area.last_m, last_m) - std::min(area.first_m, first_m)) / step_m;
   if (rows * columns <= max_samples) return;  // False for what is not a number.
   const double max_m = max_samples / columns * step_m;
-  core::Problem problem = error("the area to be focused is too long in azimuth, or too far from the record", 0.0, "",
-                                fmt::format("an area from {:.6g} to {:.6g} m at most, {:.3g} samples with the record",
-                                            last_m - max_m, first_m + max_m, max_samples),
-                                "give a smaller area, near the record");
-  problem.found =
-      fmt::format("{:.6g} to {:.6g} m, {:.3g} samples from the record on", area.first_m, area.last_m, rows * columns);
-  problems.push_back(std::move(problem));
+  problems.push_back(
+      core::error("the area to be focused is too long in azimuth, or too far from the record")
+          .found(fmt::format("{:.6g} to {:.6g} m, {:.3g} samples from the record on", area.first_m, area.last_m,
+                             rows * columns))
+          .expected(fmt::format("an area from {:.6g} to {:.6g} m at most, {:.3g} samples with the record",
+                                last_m - max_m, first_m + max_m, max_samples))
+          .hint("give a smaller area, near the record"));
 }
 
 void check_options(const EchoRows& echoes, const FocusOptions& options, const StraightTrack& track,
@@ -351,21 +341,24 @@ void check_options(const EchoRows& echoes, const FocusOptions& options, const St
   if (options.azimuth_area) check_area(echoes, *options.azimuth_area, track, problems);
   const double prf_hz = 1.0 / track.interval_s;
   if (!(options.doppler_bandwidth_hz >= 0.0 && options.doppler_bandwidth_hz <= prf_hz))
-    problems.push_back(error("the Doppler bandwidth does not fit between two pulses", options.doppler_bandwidth_hz,
-                             "Hz", fmt::format("0 to {:.6g} Hz, the pulse repetition frequency", prf_hz)));
+    problems.push_back(core::error("the Doppler bandwidth does not fit between two pulses")
+                           .found(fmt::format("{:.6g} Hz", options.doppler_bandwidth_hz))
+                           .expected(fmt::format("0 to {:.6g} Hz, the pulse repetition frequency", prf_hz)));
   // Of a band so narrow no line of the spectrum may be left.
   const double min_hz = 2.0 * prf_hz / static_cast<double>(echoes.rows);
   if (options.doppler_bandwidth_hz > 0.0 && options.doppler_bandwidth_hz < min_hz)
-    problems.push_back(error("the Doppler bandwidth is narrower than what the recorded pulses tell apart",
-                             options.doppler_bandwidth_hz, "Hz",
-                             fmt::format("at least {:.3g} Hz, twice the pulse repetition frequency over the number of "
-                                         "pulses, or 0 for the whole spectrum",
-                                         min_hz)));
+    problems.push_back(
+        core::error("the Doppler bandwidth is narrower than what the recorded pulses tell apart")
+            .found(fmt::format("{:.6g} Hz", options.doppler_bandwidth_hz))
+            .expected(fmt::format("at least {:.3g} Hz, twice the pulse repetition frequency over the number of "
+                                  "pulses, or 0 for the whole spectrum",
+                                  min_hz)));
   const double max_hz = radar::turns_of(track.speed_mps, echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
   if (const double centroid_hz = std::abs(options.doppler_centroid_hz); !(centroid_hz < max_sine * max_hz))
-    problems.push_back(error("no look direction has this Doppler centroid", centroid_hz, "Hz",
-                             fmt::format("below {:.6g} Hz, two speeds over the wavelength", max_sine * max_hz),
-                             "check the centroid"));
+    problems.push_back(core::error("no look direction has this Doppler centroid")
+                           .found(fmt::format("{:.6g} Hz", centroid_hz))
+                           .expected(fmt::format("below {:.6g} Hz, two speeds over the wavelength", max_sine * max_hz))
+                           .hint("check the centroid"));
 }
 
 // What only the methods in the frequency domain mind.
@@ -375,9 +368,10 @@ void check_spectrum(const EchoRows& echoes, const FocusOptions& options, const S
   const double max_hz = radar::turns_of(max_sine * track.speed_mps, waveform.carrier_hz, waveform.light_speed_mps);
   const double reached_hz = std::abs(options.doppler_centroid_hz) + 0.5 * options.doppler_bandwidth_hz;
   if (std::abs(options.doppler_centroid_hz) < max_hz && !(reached_hz < max_hz))
-    problems.push_back(error("the Doppler band reaches beyond that of any look direction", reached_hz, "Hz",
-                             fmt::format("below {:.6g} Hz, two speeds over the wavelength", max_hz),
-                             "check the centroid, and keep a smaller band"));
+    problems.push_back(core::error("the Doppler band reaches beyond that of any look direction")
+                           .found(fmt::format("{:.6g} Hz", reached_hz))
+                           .expected(fmt::format("below {:.6g} Hz, two speeds over the wavelength", max_hz))
+                           .hint("check the centroid, and keep a smaller band"));
   if (options.method != FocusMethod::chirp_scaling) return;
   // Rows are not to become many times longer; but short ones may.
   constexpr double max_times = 8.0;
@@ -385,38 +379,40 @@ void check_spectrum(const EchoRows& echoes, const FocusOptions& options, const S
   const double dispersed = dispersed_samples(waveform);
   if (dispersed <= std::max(max_times * static_cast<double>(echoes.columns), short_row)) return;
   problems.push_back(
-      error("the sampling rate is too far above the bandwidth for chirp scaling: it lengthens the rows too much",
-            dispersed, "samples",
-            fmt::format("up to {:.0f} times the row's {} samples, or {:.0f}", max_times, echoes.columns, short_row),
-            "use omega-k or range-Doppler, or sample at about 1.5 times the bandwidth"));
+      core::error("the sampling rate is too far above the bandwidth for chirp scaling: it lengthens the rows too much")
+          .found(fmt::format("{:.6g} samples", dispersed))
+          .expected(
+              fmt::format("up to {:.0f} times the row's {} samples, or {:.0f}", max_times, echoes.columns, short_row))
+          .hint("use omega-k or range-Doppler, or sample at about 1.5 times the bandwidth"));
 }
 
 void check_waveform(const SarWaveform& waveform, core::Problems& problems) {
   if (!(waveform.carrier_hz > 0.0 && waveform.light_speed_mps > 0.0 && waveform.sample_rate_hz > 0.0))
-    problems.push_back(
-        error("carrier, sampling rate and speed of light must be above 0", waveform.carrier_hz, "Hz", {}));
+    problems.push_back(core::error("carrier, sampling rate and speed of light must be above 0")
+                           .found(fmt::format("{:.6g} Hz", waveform.carrier_hz)));
   if (const double band_hz = std::abs(waveform.bandwidth_hz); !(band_hz > 0.0 && band_hz <= waveform.sample_rate_hz))
-    problems.push_back(error("the pulse's bandwidth does not fit the sampling rate", band_hz, "Hz",
-                             fmt::format("above 0 and at most {:.6g} Hz", waveform.sample_rate_hz),
-                             "sample faster, or use a pulse of a smaller bandwidth"));
+    problems.push_back(core::error("the pulse's bandwidth does not fit the sampling rate")
+                           .found(fmt::format("{:.6g} Hz", band_hz))
+                           .expected(fmt::format("above 0 and at most {:.6g} Hz", waveform.sample_rate_hz))
+                           .hint("sample faster, or use a pulse of a smaller bandwidth"));
 }
 
 void check_track(const EchoRows& echoes, const StraightTrack& track, core::Problems& problems) {
   if (track.worst_interval_s > 0.01 * track.interval_s) {
-    problems.push_back(error("the pulses are not evenly spaced, as methods in the frequency domain need them",
-                             track.worst_interval_s, "s", fmt::format("within {:.3g} s", 0.01 * track.interval_s),
-                             "use back projection"));
-    problems.back().subject.field = track_field;
+    problems.push_back(core::error("the pulses are not evenly spaced, as methods in the frequency domain need them")
+                           .found(fmt::format("{:.6g} s", track.worst_interval_s))
+                           .expected(fmt::format("within {:.3g} s", 0.01 * track.interval_s))
+                           .hint("use back projection")
+                           .at("", 0, track_field));
   }
   const double limit_m = radar::wavelength_of(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps) / 16.0;
   if (track.worst_position_m <= limit_m) return;
-  core::Problem problem =
-      error("the antenna leaves the straight line at constant speed that is assumed", track.worst_position_m, "m",
-            fmt::format("within {:.3g} m, a sixteenth of the wavelength", limit_m),
-            "compensate its motion, or use back projection");
-  problem.severity = core::Severity::warning;
-  problem.subject.field = track_field;
-  problems.push_back(problem);
+  problems.push_back(core::warning("focus.track-not-straight",
+                                   "the antenna leaves the straight line at constant speed that is assumed")
+                         .found(fmt::format("{:.6g} m", track.worst_position_m))
+                         .expected(fmt::format("within {:.3g} m, a sixteenth of the wavelength", limit_m))
+                         .hint("compensate its motion, or use back projection")
+                         .at("", 0, track_field));
 }
 
 // What prevents any method; the track, if a line can be fitted to it.
@@ -424,15 +420,19 @@ std::pair<core::Problems, std::optional<StraightTrack>> common_problems(const Ec
                                                                         const FocusOptions& options) {
   core::Problems problems;
   check_waveform(echoes.waveform, problems);
-  if (echoes.columns < 1) problems.push_back(error("there are no samples to focus", 0.0, "", "at least 1"));
+  if (echoes.columns < 1)
+    problems.push_back(core::error("there are no samples to focus").found("0").expected("at least 1"));
   if (echoes.track.size() < 2) {
-    problems.push_back(error("too few pulses to focus", static_cast<double>(echoes.track.size()), "", "at least 2"));
+    problems.push_back(
+        core::error("too few pulses to focus").found(fmt::format("{}", echoes.track.size())).expected("at least 2"));
     return {std::move(problems), std::nullopt};
   }
   const StraightTrack track = fit_straight(echoes.track);
   if (!(track.speed_mps > 0.0)) {
-    problems.push_back(error("the antenna does not move", track.speed_mps, "m/s", "a speed above 0",
-                             "put the radar on a platform that follows a trajectory"));
+    problems.push_back(core::error("the antenna does not move")
+                           .found(fmt::format("{:.6g} m/s", track.speed_mps))
+                           .expected("a speed above 0")
+                           .hint("put the radar on a platform that follows a trajectory"));
     return {std::move(problems), std::nullopt};
   }
   if (!core::has_errors(problems)) check_options(echoes, options, track, problems);
@@ -446,9 +446,10 @@ core::Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& 
   if (!track) return problems;
   if (!echoes.carriers_hz.empty()) {
     const auto [low, high] = std::ranges::minmax(echoes.carriers_hz);
-    problems.push_back(error("the carrier changes from pulse to pulse, up to", high, "Hz",
-                             fmt::format("{:.6g} Hz alone", low),
-                             "use back projection, which takes each pulse at its own"));
+    problems.push_back(core::error("the carrier changes from pulse to pulse, up to")
+                           .found(fmt::format("{:.6g} Hz", high))
+                           .expected(fmt::format("{:.6g} Hz alone", low))
+                           .hint("use back projection, which takes each pulse at its own"));
   }
   const bool sound = !core::has_errors(problems);
   check_track(echoes, *track, problems);
@@ -459,7 +460,8 @@ core::Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& 
 core::Problems problems_of_focusing_in_time(const EchoRows& echoes, const FocusOptions& options) {
   core::Problems problems = common_problems(echoes, options).first;
   if (echoes.columns == 1)
-    problems.push_back(error("back projection interpolates between samples", 1.0, "sample in a row", "at least 2"));
+    problems.push_back(
+        core::error("back projection interpolates between samples").found("1 sample in a row").expected("at least 2"));
   return problems;
 }
 

@@ -33,13 +33,15 @@ class RangeAmbiguityRules {
     const std::string heard_text =
         left_out ? fmt::format("echoes of {} would reach the window and are left out", pulses_of(heard))
                  : fmt::format("rows also hold echoes of {}, which appear at false ranges", pulses_of(heard));
-    add(asked_for || (left_out && !(late && !from_afar())) ? core::Severity::note : core::Severity::warning,
-        late ? late_text() + ": " + heard_text + scope_ : heard_text,
-        late ? late_range() + "; " + level_of(heard) : level_of(heard), late ? unambiguous_text() : "",
-        left_out
-            ? "AMBIGUOUS_ECHOES STRONG or ALL in $OPTIONS adds them"
-            : "change the PRF or the window; AMBIGUOUS_ECHOES ALL in $OPTIONS says that they are meant, NONE leaves "
-              "them out");
+    add(core::ProblemBuilder(
+            asked_for || (left_out && !(late && !from_afar())) ? core::Severity::note : core::Severity::warning,
+            late ? core::RuleId("echoes.late") : core::RuleId("echoes.of-other-pulses"),
+            late ? late_text() + ": " + heard_text + scope_ : heard_text)
+            .found(late ? late_range() + "; " + level_of(heard) : level_of(heard))
+            .expected(late ? unambiguous_text() : "")
+            .hint(left_out ? "AMBIGUOUS_ECHOES STRONG or ALL in $OPTIONS adds them"
+                           : "change the PRF or the window; AMBIGUOUS_ECHOES ALL in $OPTIONS says that they are meant, "
+                             "NONE leaves them out"));
   }
 
   void check_eclipsed() {
@@ -47,13 +49,12 @@ class RangeAmbiguityRules {
         std::ranges::count_if(survey_.targets, [this](const TargetSurvey& t) { return t.in_window && eclipsed(t); }));
     if (targets == 0) return;
     const bool blanked = acquisition_.scene->options.eclipsing == scene::Eclipsing::blanked;
-    add(core::Severity::note,
-        fmt::format("echoes of {} of {} targets arrive while the radar sends{}", targets, survey_.targets.size(),
-                    blanked ? " and are cut" : "; the receiver is taken to go on") +
-            scope_,
-        "", "",
-        blanked ? "change the PRF or the pulse width"
-                : "ECLIPSING BLANKED in $OPTIONS makes samples 0 while the radar sends");
+    add(core::note("echoes.while-sending",
+                   fmt::format("echoes of {} of {} targets arrive while the radar sends{}", targets,
+                               survey_.targets.size(), blanked ? " and are cut" : "; the receiver is taken to go on") +
+                       scope_)
+            .hint(blanked ? "change the PRF or the pulse width"
+                          : "ECLIPSING BLANKED in $OPTIONS makes samples 0 while the radar sends"));
   }
 
  private:
@@ -79,21 +80,23 @@ class RangeAmbiguityRules {
   void check_late() {
     if (survey_.totals.late == 0) return;
     const bool own_alone = acquisition_.scene->conventions.reception == Conventions::Reception::own_pulse;
-    add(from_afar() ? core::Severity::note : core::Severity::warning,
-        late_text() + (own_alone ? "; a row holds the echoes of its own pulse only" : "") + scope_, late_range(),
-        unambiguous_text(),
-        from_afar() ? "as is usual from orbit; choose the PRF so that no pulse leaves while echoes arrive"
-                    : "lower the PRF, or move the targets");
+    add(core::ProblemBuilder(from_afar() ? core::Severity::note : core::Severity::warning, "echoes.late",
+                             late_text() + (own_alone ? "; a row holds the echoes of its own pulse only" : "") + scope_)
+            .found(late_range())
+            .expected(unambiguous_text())
+            .hint(from_afar() ? "as is usual from orbit; choose the PRF so that no pulse leaves while echoes arrive"
+                              : "lower the PRF, or move the targets"));
   }
 
   void check_farther(const RangeAmbiguities& heard) {
     if (!(heard.farther > 0.0)) return;
-    add(core::Severity::warning,
-        fmt::format("echoes of pulses sent more than {} pulses earlier or later are received but left out",
-                    max_pulses_away),
-        fmt::format("up to {:.0f} dB relative to the strongest echo, antennas ignored",
-                    core::amplitude_db(heard.farther)),
-        "", "lower the PRF, or move the targets");
+    add(core::warning(
+            "echoes.left-out",
+            fmt::format("echoes of pulses sent more than {} pulses earlier or later are received but left out",
+                        max_pulses_away))
+            .found(fmt::format("up to {:.0f} dB relative to the strongest echo, antennas ignored",
+                               core::amplitude_db(heard.farther)))
+            .hint("lower the PRF, or move the targets"));
   }
 
   [[nodiscard]] static std::string level_of(const RangeAmbiguities& heard) {
@@ -130,12 +133,7 @@ class RangeAmbiguityRules {
     return repetition.pulses_in(sent_s + first_s, sent_s + last_s).count() > 0;
   }
 
-  void add(core::Severity severity, std::string message, std::string found, std::string expected, std::string hint) {
-    core::Problem problem =
-        core::problem_of(severity, std::move(message), std::move(found), std::move(expected), std::move(hint));
-    problem.subject = {"simulation", index_, "radar"};
-    problems_.push_back(std::move(problem));
-  }
+  void add(core::ProblemBuilder problem) { problems_.push_back(std::move(problem).at("simulation", index_, "radar")); }
 
   const Acquisition& acquisition_;
   const RangeAmbiguities& all_;  // that are heard, wanted or not

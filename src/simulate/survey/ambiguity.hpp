@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 
 #include "core/report/problem.hpp"
 #include "simulate/plan/acquisition.hpp"
@@ -10,10 +9,6 @@
 #include "simulate/survey/survey.hpp"
 
 namespace sarsim::simulate {
-
-/// Part of the message about targets beyond the unambiguous range; it replaces scene::window_beyond_range, the same
-/// fact about the window.
-inline constexpr std::string_view late_echoes = "arrive after the next pulse has left";
 
 /// What pulses other than a row's own do to it: echoes that arrive after the next pulse has left, echoes of other
 /// pulses that rows hold or leave out, echoes that arrive while the radar sends. Notes, and warnings where the options

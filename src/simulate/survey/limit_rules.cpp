@@ -87,10 +87,8 @@ class LimitRules {
                        seen.largest_amplitude_v});
   }
 
-  void add(core::Severity severity, const char* field, std::string message, std::string found, std::string expected,
-           std::string hint) {
-    core::Problem problem =
-        core::problem_of(severity, std::move(message) + scope_, std::move(found), std::move(expected), std::move(hint));
+  void add(const char* field, core::Problem problem) {
+    problem.message += scope_;
     problem.subject = {"simulation", index_, field};
     problems_.push_back(std::move(problem));
   }
@@ -102,15 +100,17 @@ class LimitRules {
     const double doppler_hz = std::max(std::abs(survey_.lowest_doppler_hz), std::abs(survey_.highest_doppler_hz));
     const double aliased_hz = doppler_hz - 0.5 * std::max(0.0, rate_hz - bandwidth_hz_);
     if (!(aliased_hz > max_aliased_share * bandwidth_hz_)) return;
-    add(core::Severity::warning, "sample_rate_hz",
-        fmt::format(
-            "the Doppler shift moves {:.0f} % of the spectrum of echoes out of the sampled band, where it aliases",
-            100.0 * std::min(1.0, aliased_hz / bandwidth_hz_)),
-        fmt::format("a shift of {} at a sampling frequency of {}", core::with_prefix(doppler_hz, "Hz", 4),
-                    core::with_prefix(rate_hz, "Hz", 4)),
-        fmt::format("a sampling frequency of at least {}",
-                    core::with_prefix(bandwidth_hz_ + 2.0 * doppler_hz, "Hz", 4)),
-        "A receiver would shift its centre frequency by the Doppler centroid; sample faster instead.");
+    add("sample_rate_hz",
+        core::warning(
+            "doppler.beyond-sampled-band",
+            fmt::format(
+                "the Doppler shift moves {:.0f} % of the spectrum of echoes out of the sampled band, where it aliases",
+                100.0 * std::min(1.0, aliased_hz / bandwidth_hz_)))
+            .found(fmt::format("a shift of {} at a sampling frequency of {}", core::with_prefix(doppler_hz, "Hz", 4),
+                               core::with_prefix(rate_hz, "Hz", 4)))
+            .expected(fmt::format("a sampling frequency of at least {}",
+                                  core::with_prefix(bandwidth_hz_ + 2.0 * doppler_hz, "Hz", 4)))
+            .hint("A receiver would shift its centre frequency by the Doppler centroid; sample faster instead."));
   }
 
   // Places of all scatterers in the world while a pulse is sent.
@@ -173,11 +173,13 @@ class LimitRules {
       if (order[i] < other) std::tie(first, other) = std::tuple(order[i - 1], order[i]);
     }
     if (count == 0) return;
-    add(core::Severity::warning, "",
-        fmt::format("targets {} and {} are at the same position: their echoes add up to those of one target", first + 1,
-                    other + 1),
-        fmt::format("{} at the position of another one", text_of(count, "target", "targets")), "positions that differ",
-        "Remove the copy, or give one target the sum of the amplitudes.");
+    add("", core::warning(
+                "targets.same-position",
+                fmt::format("targets {} and {} are at the same position: their echoes add up to those of one target",
+                            first + 1, other + 1))
+                .found(fmt::format("{} at the position of another one", text_of(count, "target", "targets")))
+                .expected("positions that differ")
+                .hint("Remove the copy, or give one target the sum of the amplitudes."));
   }
 
   // The lowest place of the radar in the flight, and its height.
@@ -218,13 +220,16 @@ class LimitRules {
                     placed_, [&](const Placed& target) { return radar_z_m + target.from_radar_m.z <= low.radar_m.z; }))
       return;
     const bool impossible = !flat && low.height_m < radar::deepest_place_m;
-    add(impossible ? core::Severity::error : core::Severity::warning, "radar",
-        flat ? "the radar is below the ground and below its targets" : "the radar is below the ellipsoid",
-        fmt::format("a height of {:.6g} m{}, at pulse {} of {}", low.height_m, flat ? ", z of the world" : "",
-                    low.pulse + 1, acquisition_.timing.pulses.count()),
-        flat ? "z above 0" : fmt::format("above -{:g} m, the lowest level of the sea", max_below_ellipsoid_m),
-        impossible ? "Heights are positive upwards: is the sign wrong?"
-                   : "Heights are positive upwards: is the sign wrong? Echoes are computed all the same.");
+    add("radar",
+        core::ProblemBuilder(
+            impossible ? core::Severity::error : core::Severity::warning, "radar.below-ground",
+            flat ? "the radar is below the ground and below its targets" : "the radar is below the ellipsoid")
+            .found(fmt::format("a height of {:.6g} m{}, at pulse {} of {}", low.height_m,
+                               flat ? ", z of the world" : "", low.pulse + 1, acquisition_.timing.pulses.count()))
+            .expected(flat ? "z above 0"
+                           : fmt::format("above -{:g} m, the lowest level of the sea", max_below_ellipsoid_m))
+            .hint(impossible ? "Heights are positive upwards: is the sign wrong?"
+                             : "Heights are positive upwards: is the sign wrong? Echoes are computed all the same."));
   }
 
   void check_dispersion() {
@@ -240,11 +245,14 @@ class LimitRules {
     }
     const double cell_m = radar::range_of_cycle(bandwidth_hz_, light_mps_);
     if (!(worst_m > max_dispersion_cells * cell_m)) return;
-    add(core::Severity::warning, "radar",
-        "dispersion by the ionosphere within the band of the pulse is not modelled: real echoes would be wider",
-        fmt::format("a range spread of {:.3g} m over the band, for target {}", worst_m, target + 1),
-        fmt::format("at most {:.3g} m, half a range cell of {:.3g} m", max_dispersion_cells * cell_m, cell_m),
-        "All frequencies are delayed like the carrier. Reduce the bandwidth or raise the carrier.");
+    add("radar",
+        core::warning(
+            "air.dispersion",
+            "dispersion by the ionosphere within the band of the pulse is not modelled: real echoes would be wider")
+            .found(fmt::format("a range spread of {:.3g} m over the band, for target {}", worst_m, target + 1))
+            .expected(
+                fmt::format("at most {:.3g} m, half a range cell of {:.3g} m", max_dispersion_cells * cell_m, cell_m))
+            .hint("All frequencies are delayed like the carrier. Reduce the bandwidth or raise the carrier."));
   }
 
   void check_bending() {
@@ -259,13 +267,16 @@ class LimitRules {
     const double wavelength_m = radar::wavelength_of(geometry_.carrier_hz(), light_mps_);
     if (!(worst_m > max_bending_wavelengths * wavelength_m)) return;
     const double elevation_rad = acquisition_.link.air->elevation_rad(radar_m, radar_m + worst.from_radar_m);
-    add(core::Severity::warning, "radar",
-        "rays bend at low elevation, which echoes leave out: they follow the straight line",
-        fmt::format("target {} at an elevation of {:.3g} deg: the bent ray is {:.3g} mm shorter, {:.2g} rad two-way",
-                    worst.target + 1, core::deg_per_rad * elevation_rad, 1e3 * worst_m,
-                    4.0 * core::pi * worst_m / wavelength_m),
-        fmt::format("at most {:.2g} mm, a sixteenth of the wavelength", 1e3 * max_bending_wavelengths * wavelength_m),
-        "Phases are off by as much, and the direction at the antenna by the angle of bending.");
+    add("radar",
+        core::warning("air.bending",
+                      "rays bend at low elevation, which echoes leave out: they follow the straight line")
+            .found(fmt::format(
+                "target {} at an elevation of {:.3g} deg: the bent ray is {:.3g} mm shorter, {:.2g} rad two-way",
+                worst.target + 1, core::deg_per_rad * elevation_rad, 1e3 * worst_m,
+                4.0 * core::pi * worst_m / wavelength_m))
+            .expected(fmt::format("at most {:.2g} mm, a sixteenth of the wavelength",
+                                  1e3 * max_bending_wavelengths * wavelength_m))
+            .hint("Phases are off by as much, and the direction at the antenna by the angle of bending."));
   }
 
   // Whether the flight makes an aperture: its length squared exceeds half a wavelength times the range.
@@ -301,12 +312,15 @@ class LimitRules {
       on_left += side < -min_side ? 1 : 0;
     }
     if (on_right == 0 || on_left == 0) return;
-    add(core::Severity::warning, "radar",
-        "both sides of the track are illuminated: left and right are ambiguous in an image, as range and Doppler "
-        "frequency are the same",
-        fmt::format("{} on the left and {} on the right of the track", text_of(on_left, "target", "targets"), on_right),
-        "targets on one side, or an antenna that points to one side",
-        "Give the radar a beam that points to one side, or remove the targets of the other.");
+    add("radar",
+        core::warning(
+            "image.sides-ambiguous",
+            "both sides of the track are illuminated: left and right are ambiguous in an image, as range and Doppler "
+            "frequency are the same")
+            .found(fmt::format("{} on the left and {} on the right of the track", text_of(on_left, "target", "targets"),
+                               on_right))
+            .expected("targets on one side, or an antenna that points to one side")
+            .hint("Give the radar a beam that points to one side, or remove the targets of the other."));
   }
 
   // Pairs of one cell of range, which all carriers resolve together, and, while the beam rests, of Doppler.
@@ -333,13 +347,14 @@ class LimitRules {
         std::tie(range_m, doppler_hz) = std::tuple(apart_m, apart_hz);
       }
     if (count == 0) return;
-    add(core::Severity::note, "",
-        fmt::format("targets {} and {} are unresolved: they are in one cell of range and Doppler", first.first,
-                    first.second),
-        fmt::format("{}; the first {:.3g} m and {} apart", text_of(count, "pair", "pairs"), range_m,
-                    core::with_prefix(doppler_hz, "Hz", 3)),
-        fmt::format("more than {:.3g} m, c/(2 B), or {}, 1/T", cell_m, core::with_prefix(cell_hz, "Hz", 3)),
-        "Their echoes interfere: peaks differ from those of single targets.");
+    add("", core::note("targets.unresolved",
+                       fmt::format("targets {} and {} are unresolved: they are in one cell of range and Doppler",
+                                   first.first, first.second))
+                .found(fmt::format("{}; the first {:.3g} m and {} apart", text_of(count, "pair", "pairs"), range_m,
+                                   core::with_prefix(doppler_hz, "Hz", 3)))
+                .expected(
+                    fmt::format("more than {:.3g} m, c/(2 B), or {}, 1/T", cell_m, core::with_prefix(cell_hz, "Hz", 3)))
+                .hint("Their echoes interfere: peaks differ from those of single targets."));
   }
 
   // Of a radar at rest, to whose pulses such targets look like clutter.
@@ -360,13 +375,16 @@ class LimitRules {
     }
     if (!first) return;
     const double wavelength_m = radar::wavelength_of(geometry_.carrier_hz(), light_mps_);
-    add(core::Severity::warning, "radar",
-        fmt::format("{} at a blind speed, target {} the first: pulses show it like a target at rest",
-                    text_of(count, "target moves", "targets move"), first->target + 1),
-        fmt::format("a Doppler frequency of {}, which aliases to {}", core::with_prefix(first->doppler_hz, "Hz", 5),
-                    core::with_prefix(std::remainder(first->doppler_hz, prf_hz), "Hz", 3)),
-        fmt::format("radial speeds away from multiples of {:.4g} m/s, lambda PRF/2", 0.5 * wavelength_m * prf_hz),
-        "Change the PRF or the carrier, or stagger the pulse intervals.");
+    add("radar",
+        core::warning("targets.blind-speed",
+                      fmt::format("{} at a blind speed, target {} the first: pulses show it like a target at rest",
+                                  text_of(count, "target moves", "targets move"), first->target + 1))
+            .found(fmt::format("a Doppler frequency of {}, which aliases to {}",
+                               core::with_prefix(first->doppler_hz, "Hz", 5),
+                               core::with_prefix(std::remainder(first->doppler_hz, prf_hz), "Hz", 3)))
+            .expected(fmt::format("radial speeds away from multiples of {:.4g} m/s, lambda PRF/2",
+                                  0.5 * wavelength_m * prf_hz))
+            .hint("Change the PRF or the carrier, or stagger the pulse intervals."));
   }
 
   const Acquisition& acquisition_;

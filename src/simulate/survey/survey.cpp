@@ -82,12 +82,15 @@ class Surveyor {
     constexpr std::size_t max_targets = 4096;
     const PulseMotion left = motion_left_in_pulse(acquisition, targets_in_window(survey, max_targets), control);
     if (left.phase_rad < noted_motion_rad) return;
-    add(left.phase_rad < warned_motion_rad ? core::Severity::note : core::Severity::warning, "radar",
-        fmt::format("echoes follow the motion within a pulse to its second order: what is left turns the ends of the "
-                    "pulse by up to {:.2g} rad, for target {} at {:.6g} s",
-                    left.phase_rad, left.target + 1, acquisition.link.repetition.send_time_s(left.pulse)),
-        "", fmt::format("below {:g} rad", noted_motion_rad),
-        "shorten the pulse: this phase grows with the third power of its width");
+    add("radar",
+        core::ProblemBuilder(
+            left.phase_rad < warned_motion_rad ? core::Severity::note : core::Severity::warning, "motion.within-pulse",
+            fmt::format(
+                "echoes follow the motion within a pulse to its second order: what is left turns the ends of the "
+                "pulse by up to {:.2g} rad, for target {} at {:.6g} s",
+                left.phase_rad, left.target + 1, acquisition.link.repetition.send_time_s(left.pulse)))
+            .expected(fmt::format("below {:g} rad", noted_motion_rad))
+            .hint("shorten the pulse: this phase grows with the third power of its width"));
   }
 
   // Neither targets nor clutter of a direction that the beam jumps over are in a recording.
@@ -97,24 +100,22 @@ class Surveyor {
     if (!steps || steps->unlit_share < min_unlit) return;
     const auto degrees = [](double angle_rad) { return fmt::format("{:.4g} deg", core::deg_per_rad * angle_rad); };
     const double prf_hz = 1.0 / acquisition.link.repetition.mean_interval_s();
-    add(core::Severity::warning, "radar",
-        fmt::format("the beam jumps farther than its width from pulse to pulse: {:.0f} % of the directions that it "
-                    "turns through are never illuminated",
-                    100.0 * steps->unlit_share),
-        fmt::format("a turn of {} from pulse to pulse, a beam of {}", degrees(steps->step_rad),
-                    degrees(steps->width_rad)),
-        fmt::format("at most {} from pulse to pulse", degrees(steps->width_rad)),
-        fmt::format("turn the beam more slowly, or raise the PRF to at least {}",
-                    core::with_prefix(prf_hz * steps->step_rad / steps->width_rad, "Hz", 4)));
+    add("radar",
+        core::warning(
+            "beam.jumps",
+            fmt::format("the beam jumps farther than its width from pulse to pulse: {:.0f} % of the directions that it "
+                        "turns through are never illuminated",
+                        100.0 * steps->unlit_share))
+            .found(fmt::format("a turn of {} from pulse to pulse, a beam of {}", degrees(steps->step_rad),
+                               degrees(steps->width_rad)))
+            .expected(fmt::format("at most {} from pulse to pulse", degrees(steps->width_rad)))
+            .hint(fmt::format("turn the beam more slowly, or raise the PRF to at least {}",
+                              core::with_prefix(prf_hz * steps->step_rad / steps->width_rad, "Hz", 4))));
     problems_.back().subject = {"radar", scene::find_radar(scene_, simulation_.radar), "beam_rate"};
   }
 
-  void add(core::Severity severity, const char* field, std::string message, std::string found, std::string expected,
-           std::string hint) {
-    core::Problem problem =
-        core::problem_of(severity, std::move(message), std::move(found), std::move(expected), std::move(hint));
-    problem.subject = {"simulation", index_, field};
-    problems_.push_back(std::move(problem));
+  void add(const char* field, core::ProblemBuilder problem) {
+    problems_.push_back(std::move(problem).at("simulation", index_, field));
   }
 
   struct Weights {
@@ -154,31 +155,32 @@ class Surveyor {
     const Weights weights = weights_of(acquisition);
     if (weights.count == 0 || !core::weights_cancel(weights.sum, weights.magnitudes)) return;
     if (weights.magnitudes == 0.0)
-      add(core::Severity::warning, "radar", "the radar's window function leaves nothing: every sample of it is 0",
-          fmt::format("{} samples", weights.count), "a window that is above 0 somewhere",
-          acquisition.reception.profiler ? "take more frequency steps or another window"
-                                         : "sample faster or take another window");
+      add("radar", core::warning("window.zero", "the radar's window function leaves nothing: every sample of it is 0")
+                       .found(fmt::format("{} samples", weights.count))
+                       .expected("a window that is above 0 somewhere")
+                       .hint(acquisition.reception.profiler ? "take more frequency steps or another window"
+                                                            : "sample faster or take another window"));
     else
-      add(core::Severity::warning, "radar",
-          "the radar's window function cancels: its weights, with their signs, sum to 0", "",
-          "weights that leave a target its peak",
-          "a target's peak is 0, so the output cannot be scaled; take another window");
+      add("radar", core::warning("window.cancels",
+                                 "the radar's window function cancels: its weights, with their signs, sum to 0")
+                       .expected("weights that leave a target its peak")
+                       .hint("a target's peak is 0, so the output cannot be scaled; take another window"));
   }
 
   bool check_bursts(const Acquisition& acquisition) {
     if (acquisition.timing.rows == 0) {
-      add(core::Severity::error, "time_end_s", "the window holds no complete burst of stepped frequencies",
-          fmt::format("{} pulses", acquisition.timing.pulses.count()),
-          fmt::format("at least {} from the start of a burst", acquisition.timing.row_pulses),
-          "lengthen the azimuth window; bursts start at pulse numbers that are multiples of steps times pulses per "
-          "step");
+      add("time_end_s",
+          core::error("bursts.none-complete", "the window holds no complete burst of stepped frequencies")
+              .found(fmt::format("{} pulses", acquisition.timing.pulses.count()))
+              .expected(fmt::format("at least {} from the start of a burst", acquisition.timing.row_pulses))
+              .hint("lengthen the azimuth window; bursts start at pulse numbers that are multiples of steps times "
+                    "pulses per step"));
       return false;
     }
     if (acquisition.timing.dropped_pulses > 0)
-      add(core::Severity::note, "time_end_s",
-          fmt::format("{} pulses of incomplete bursts at the ends of the window are left out",
-                      acquisition.timing.dropped_pulses),
-          "", "", "");
+      add("time_end_s", core::note("bursts.incomplete",
+                                   fmt::format("{} pulses of incomplete bursts at the ends of the window are left out",
+                                               acquisition.timing.dropped_pulses)));
     return true;
   }
 
@@ -214,21 +216,23 @@ class Surveyor {
     const SurveyTotals& totals = survey.totals;
     if (totals.hidden == 0) return;
     const std::size_t all = survey.targets.size();
-    add(core::Severity::warning, "radar",
-        "the Earth stands between the radar and targets: their echoes are computed all the same" + scope_,
-        fmt::format("{} of {} target{} behind the horizon, the first of them target {}; {} in the window",
-                    totals.hidden, all, all == 1 ? "" : "s", totals.first_hidden + 1, totals.hidden_in_window),
-        "targets to which the straight line does not pass through the ellipsoid",
-        "leave them out, or correct their places or the orbit");
+    add("radar",
+        core::warning("targets.behind-horizon",
+                      "the Earth stands between the radar and targets: their echoes are computed all the same" + scope_)
+            .found(fmt::format("{} of {} target{} behind the horizon, the first of them target {}; {} in the window",
+                               totals.hidden, all, all == 1 ? "" : "s", totals.first_hidden + 1,
+                               totals.hidden_in_window))
+            .expected("targets to which the straight line does not pass through the ellipsoid")
+            .hint("leave them out, or correct their places or the orbit"));
   }
 
   void check_window(const EchoSurvey& survey, const Acquisition& acquisition, const RangeAmbiguities& others) {
     if (survey.targets.empty()) {
       if (acquisition.scene->sheets.empty())
-        add(core::Severity::warning, "",
-            "the scene has no target: the recording will hold " +
-                std::string(acquisition.reception.noise_stddev_v > 0 ? "noise only" : "zeros only"),
-            "", "", "add a $TARGET");
+        add("", core::warning("targets.none",
+                              "the scene has no target: the recording will hold " +
+                                  std::string(acquisition.reception.noise_stddev_v > 0 ? "noise only" : "zeros only"))
+                    .hint("add a $TARGET"));
       return;
     }
     if (survey.totals.any_in_window || !acquisition.scene->sheets.empty() ||
@@ -238,13 +242,15 @@ class Surveyor {
     const double farthest = survey.totals.farthest_m;
     const double reach_m = radar::range_of(acquisition.reception.pulse.last_s() - acquisition.reception.pulse.first_s(),
                                            acquisition.light_speed_mps());
-    add(core::Severity::warning, "range_start_m",
-        "no echo falls into the slant range window: the recording will be empty" + scope_,
-        fmt::format("{} to {} m", core::format_number(simulation_.range_start_m),
-                    core::format_number(simulation_.range_end_m)),
-        fmt::format("a window that touches the echoes from {:.6g} to {:.6g} m", nearest, farthest + reach_m),
-        fmt::format("set the slant range window to about {:.0f} ... {:.0f} m", std::floor(nearest),
-                    std::ceil(farthest + reach_m)));
+    add("range_start_m",
+        core::warning("range-window.no-echo",
+                      "no echo falls into the slant range window: the recording will be empty" + scope_)
+            .found(fmt::format("{} to {} m", core::format_number(simulation_.range_start_m),
+                               core::format_number(simulation_.range_end_m)))
+            .expected(
+                fmt::format("a window that touches the echoes from {:.6g} to {:.6g} m", nearest, farthest + reach_m))
+            .hint(fmt::format("set the slant range window to about {:.0f} ... {:.0f} m", std::floor(nearest),
+                              std::ceil(farthest + reach_m))));
   }
 
   void check_doppler(const EchoSurvey& survey, const Acquisition& acquisition) {
@@ -255,13 +261,15 @@ class Surveyor {
     const double band_hz = survey.highest_doppler_hz - survey.lowest_doppler_hz;
     const double prf_hz = 1.0 / acquisition.link.repetition.mean_interval_s();
     if (!(band_hz > prf_hz)) return;
-    add(core::Severity::warning, "radar",
-        "the PRF is below the Doppler band of the scene: azimuth spectra of the targets overlap" + scope_,
-        fmt::format("PRF {}", core::with_prefix(prf_hz, "Hz", 4)),
-        fmt::format("at least {}", core::with_prefix(band_hz, "Hz", 4)),
-        fmt::format("targets away from the centre appear as ghosts {} apart after focusing; raise the PRF, shorten the "
-                    "azimuth window or narrow the beam",
-                    core::with_prefix(prf_hz, "Hz", 4)));
+    add("radar",
+        core::warning("prf.below-doppler-band",
+                      "the PRF is below the Doppler band of the scene: azimuth spectra of the targets overlap" + scope_)
+            .found(fmt::format("PRF {}", core::with_prefix(prf_hz, "Hz", 4)))
+            .expected(fmt::format("at least {}", core::with_prefix(band_hz, "Hz", 4)))
+            .hint(fmt::format(
+                "targets away from the centre appear as ghosts {} apart after focusing; raise the PRF, shorten the "
+                "azimuth window or narrow the beam",
+                core::with_prefix(prf_hz, "Hz", 4))));
   }
 
   void check_lsb(const EchoSurvey& survey, const Acquisition& acquisition) {
@@ -279,16 +287,22 @@ class Surveyor {
     const auto millivolts = [](double v) { return core::format_number(v, 3) + " mV"; };
     const auto rounded = [](double v) { return fmt::format("{:.6g} mV", v * 1e3); };
     if (strongest > 1.01 * full_v)
-      add(core::Severity::warning, "lsb_v", "the least significant bit is too small: echoes will be clipped" + scope_,
-          millivolts(simulation_.lsb_v), "about " + rounded(max_v / radar::full_scale_count(simulation_.bits)),
-          "set it to 0 to have it estimated from the data");
+      add("lsb_v",
+          core::warning("lsb.too-small", "the least significant bit is too small: echoes will be clipped" + scope_)
+              .found(millivolts(simulation_.lsb_v))
+              .expected("about " + rounded(max_v / radar::full_scale_count(simulation_.bits)))
+              .hint("set it to 0 to have it estimated from the data"));
     else if (max_v < 0.5 * full_v)
-      add(core::Severity::warning, "lsb_v",
-          fmt::format("the least significant bit is too large: at most {:.2g} % of the converter's range will be used",
-                      100.0 * max_v / full_v) +
-              scope_,
-          millivolts(simulation_.lsb_v), "about " + rounded(max_v / radar::full_scale_count(simulation_.bits)),
-          "set it to 0 to have it estimated from the data");
+      add("lsb_v",
+          core::warning(
+              "lsb.too-large",
+              fmt::format(
+                  "the least significant bit is too large: at most {:.2g} % of the converter's range will be used",
+                  100.0 * max_v / full_v) +
+                  scope_)
+              .found(millivolts(simulation_.lsb_v))
+              .expected("about " + rounded(max_v / radar::full_scale_count(simulation_.bits)))
+              .hint("set it to 0 to have it estimated from the data"));
   }
 
   const scene::Scene& scene_;

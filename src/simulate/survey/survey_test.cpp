@@ -107,6 +107,7 @@ TEST(Survey, WarnsOfAPrfBelowTheDopplerBand) {
   scene.simulations[0].lsb_v = 0.0;
   const core::Problems problems = survey(scene);
   ASSERT_THAT(problems, ElementsAre(problem(core::Severity::warning, "radar", "PRF is below the Doppler band")));
+  EXPECT_EQ(problems[0].id.name(), "prf.below-doppler-band");
   EXPECT_THAT(problems[0].expected, HasSubstr("2.669 kHz"));
   scene.radars[0].prf_hz = 2700.0;
   EXPECT_THAT(survey(scene), IsEmpty());

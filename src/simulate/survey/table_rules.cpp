@@ -147,11 +147,8 @@ class TableRules {
     return std::string(by_role_ ? scene::function_ends(role).words : "goes on as its interpolation does");
   }
 
-  void add(core::Subject subject, std::string message, std::string found, std::string hint) {
-    core::Problem problem = core::problem_of(core::Severity::warning, std::move(message), std::move(found),
-                                             "points as far as targets are seen", std::move(hint));
-    problem.subject = std::move(subject);
-    problems_.push_back(std::move(problem));
+  void add(core::ProblemBuilder problem) {
+    problems_.push_back(std::move(problem).expected("points as far as targets are seen"));
   }
 
   void check_cut(const Cut& cut, std::size_t radar) {
@@ -196,15 +193,16 @@ class TableRules {
   void report_cut(const Cut& cut, std::size_t radar, const core::AngleFunction& function, const std::string& who,
                   const std::string& worst, const Farthest& farthest) {
     const std::vector<core::Knot>& knots = cut.points->knots;
-    add({"radar", radar, cut.field},
-        fmt::format("{} are seen beyond the points of the {}antenna's cut in {}, where it {}", who, cut.antenna,
-                    cut.plane, words_of(FunctionRole::elevation_cut)),
-        fmt::format("{} at {:.4g} deg, points from {:g} to {:g} deg{}; {:.4g} dB is taken", worst, farthest.angle_deg,
-                    knots.front().x, knots.back().x, function.is_even() ? " to either side" : "",
-                    function.value(farthest.angle_deg)),
-        cut.role == FunctionRole::azimuth_cut
-            ? "Azimuth is positive to the right of the beam, clockwise seen from above."
-            : "Elevation is positive above the beam.");
+    add(core::warning("antenna-cut.beyond-points",
+                      fmt::format("{} are seen beyond the points of the {}antenna's cut in {}, where it {}", who,
+                                  cut.antenna, cut.plane, words_of(FunctionRole::elevation_cut)))
+            .found(fmt::format("{} at {:.4g} deg, points from {:g} to {:g} deg{}; {:.4g} dB is taken", worst,
+                               farthest.angle_deg, knots.front().x, knots.back().x,
+                               function.is_even() ? " to either side" : "", function.value(farthest.angle_deg)))
+            .hint(cut.role == FunctionRole::azimuth_cut
+                      ? "Azimuth is positive to the right of the beam, clockwise seen from above."
+                      : "Elevation is positive above the beam.")
+            .at("radar", radar, cut.field));
   }
 
   void check_reflectivities() {
@@ -227,12 +225,15 @@ class TableRules {
       if (outside) ++farthest.targets;
     }
     if (of == nullptr) return;
-    add({"target", farthest.target, "gain_db"},
-        fmt::format("{} with a reflectivity by points are seen at incidence angles beyond these, where it {}",
-                    sentence_of(farthest.targets, some), words_of(FunctionRole::reflectivity)),
-        fmt::format("{} at {:.4g} deg, points from {:g} to {:g} deg; {:.4g} dB is taken", name_of(farthest.target),
-                    farthest.angle_deg, of->knots().front().x, of->knots().back().x, of->value(farthest.angle_deg)),
-        "The angle counts from the normal, 0 to 180 deg.");
+    add(core::warning(
+            "reflectivity.beyond-points",
+            fmt::format("{} with a reflectivity by points are seen at incidence angles beyond these, where it {}",
+                        sentence_of(farthest.targets, some), words_of(FunctionRole::reflectivity)))
+            .found(fmt::format("{} at {:.4g} deg, points from {:g} to {:g} deg; {:.4g} dB is taken",
+                               name_of(farthest.target), farthest.angle_deg, of->knots().front().x,
+                               of->knots().back().x, of->value(farthest.angle_deg)))
+            .hint("The angle counts from the normal, 0 to 180 deg.")
+            .at("target", farthest.target, "gain_db"));
   }
 
   [[nodiscard]] const core::Interpolator* curve_of(std::size_t target) const {
@@ -279,12 +280,10 @@ class ProfileComparison {
  private:
   [[nodiscard]] core::InterpolationRules usual() const { return interpolation_rules(scene_.options); }
 
-  void add(core::Severity severity, core::Subject subject, std::string message, std::string found) {
-    core::Problem problem = core::problem_of(severity, std::move(message), std::move(found), "",
-                                             "The profile physical takes signs of angles and holds the ends of gains; "
-                                             "classic takes magnitudes and goes on, as the programs of 1998.");
-    problem.subject = std::move(subject);
-    problems_.push_back(std::move(problem));
+  void add(core::ProblemBuilder problem) {
+    problems_.push_back(
+        std::move(problem).hint("The profile physical takes signs of angles and holds the ends of gains; classic takes "
+                                "magnitudes and goes on, as the programs of 1998."));
   }
 
   void compare_antennas(const scene::Radar& radar, std::size_t index) {
@@ -324,14 +323,16 @@ class ProfileComparison {
       if (differs) ++targets;
     }
     if (targets == 0) return;
-    add(is_classic_ && half_is_left_out ? core::Severity::warning : core::Severity::note,
-        {"radar", index, "transmit_antenna"},
-        fmt::format("the profiles classic and physical read the antenna's cuts differently: {}",
-                    sentence_of(targets, summary_.sights.size())),
-        fmt::format("target {} at azimuth {:.4g} deg, elevation {:.4g} deg off the beam: {:.4g} dB two-way by classic, "
-                    "{:.4g} dB by physical",
-                    worst_target + 1, at.azimuth_rad * core::deg_per_rad, at.elevation_rad * core::deg_per_rad,
-                    classic_db, physical_db));
+    add(core::ProblemBuilder(is_classic_ && half_is_left_out ? core::Severity::warning : core::Severity::note,
+                             "profiles.antenna-cuts-differ",
+                             fmt::format("the profiles classic and physical read the antenna's cuts differently: {}",
+                                         sentence_of(targets, summary_.sights.size())))
+            .found(fmt::format(
+                "target {} at azimuth {:.4g} deg, elevation {:.4g} deg off the beam: {:.4g} dB two-way by classic, "
+                "{:.4g} dB by physical",
+                worst_target + 1, at.azimuth_rad * core::deg_per_rad, at.elevation_rad * core::deg_per_rad, classic_db,
+                physical_db))
+            .at("radar", index, "transmit_antenna"));
   }
 
   void compare_reflectivities() {
@@ -359,11 +360,13 @@ class ProfileComparison {
       if (differs) ++targets;
     }
     if (targets == 0) return;
-    add(core::Severity::note, {"target", worst_target, "gain_db"},
-        fmt::format("the profiles classic and physical read reflectivities differently: {}",
-                    sentence_of(targets, summary_.sights.size())),
-        fmt::format("target {} at an incidence angle of {:.4g} deg: {:.4g} dB by classic, {:.4g} dB by physical",
-                    worst_target + 1, at_deg, classic_db, physical_db));
+    add(core::note("profiles.reflectivities-differ",
+                   fmt::format("the profiles classic and physical read reflectivities differently: {}",
+                               sentence_of(targets, summary_.sights.size())))
+            .found(fmt::format(
+                "target {} at an incidence angle of {:.4g} deg: {:.4g} dB by classic, {:.4g} dB by physical",
+                worst_target + 1, at_deg, classic_db, physical_db))
+            .at("target", worst_target, "gain_db"));
   }
 
   void compare_stc(const scene::Radar& radar, std::size_t index) {
@@ -372,9 +375,10 @@ class ProfileComparison {
     for (const double range_m : {simulation_.range_end_m, simulation_.range_start_m}) {
       const double one = both.classic(range_m), other = both.physical(range_m);
       if (std::abs(20.0 * std::log10(std::abs(one / other))) <= noticed_db) continue;
-      add(core::Severity::note, {"radar", index, "stc_gain"},
-          "the profiles classic and physical continue the sensitivity-time control differently",
-          fmt::format("at {:.6g} m: {:.4g} by classic, {:.4g} by physical", range_m, one, other));
+      add(core::note("profiles.stc-differs",
+                     "the profiles classic and physical continue the sensitivity-time control differently")
+              .found(fmt::format("at {:.6g} m: {:.4g} by classic, {:.4g} by physical", range_m, one, other))
+              .at("radar", index, "stc_gain"));
       return;
     }
   }

@@ -47,14 +47,10 @@ class VisibilityRules {
   }
 
  private:
-  void add(core::Severity severity, std::string_view kind, const char* field, std::string message, std::string found,
-           std::string expected, std::string hint) {
+  void add(std::string_view kind, const char* field, core::ProblemBuilder problem) {
     const std::size_t index =
         kind == "radar" ? scene::find_radar(sighted_.scene, acquisition_.simulation.radar) : sighted_.simulation;
-    core::Problem problem =
-        core::problem_of(severity, std::move(message), std::move(found), std::move(expected), std::move(hint));
-    problem.subject = {std::string(kind), index, field};
-    problems_.push_back(std::move(problem));
+    problems_.push_back(std::move(problem).at(std::string(kind), index, field));
   }
 
   [[nodiscard]] static double best_pattern(const std::vector<TargetVisibility>& sights) {
@@ -73,9 +69,11 @@ class VisibilityRules {
             return acquisition_.scene->scatterers[s.target].rcs_m2 < 0.0;
           }))
         return false;
-      add(core::Severity::warning, "simulation", "",
-          "no echo is received: the targets reflect nothing to the radar while the beam is on them" + scope_, "",
-          "a target with a radar cross-section above 0 that faces the radar", "");
+      add("simulation", "",
+          core::warning(
+              "targets.reflect-nothing",
+              "no echo is received: the targets reflect nothing to the radar while the beam is on them" + scope_)
+              .expected("a target with a radar cross-section above 0 that faces the radar"));
       return false;
     }
     if (best >= min_pattern) return true;
@@ -91,10 +89,12 @@ class VisibilityRules {
                         : beam.kind == radar::Beam::Kind::rotating
                             ? fmt::format("a beam at elevation {:g} deg", shown_deg(beam.elevation_rad))
                             : "";
-    add(core::Severity::warning, "radar", "beam_elevation", what + scope_, std::move(found),
-        "a beam on the targets, which are at " + angles_text(to.azimuth_rad, to.elevation_rad) +
-            " from the radar at the middle pulse",
-        beam_hint(to));
+    add("radar", "beam_elevation",
+        core::warning("beam.misses-targets", what + scope_)
+            .found(std::move(found))
+            .expected("a beam on the targets, which are at " + angles_text(to.azimuth_rad, to.elevation_rad) +
+                      " from the radar at the middle pulse")
+            .hint(beam_hint(to)));
     return false;
   }
 
@@ -137,13 +137,15 @@ class VisibilityRules {
     if (!sighted_.summary.noise) return;
     const TargetVisibility& best = *std::ranges::max_element(sights_, {}, &TargetVisibility::processed_snr);
     if (best.processed_snr >= min_snr) return;
-    add(core::Severity::warning, "simulation", "", "the echoes drown in noise: no processing finds a target" + scope_,
-        fmt::format("target {}: SNR {:.1f} dB per pulse, {:.1f} dB with all pulses added", best.target + 1,
-                    core::power_db(best.snr), core::power_db(best.processed_snr)),
-        fmt::format("{:.0f} dB or more with all pulses added", core::power_db(min_snr)),
-        fmt::format("Raise power, antenna gains, pulse width or cross-sections by {:.0f} dB, or lower the noise "
-                    "temperature (0: no noise).",
-                    std::ceil(core::power_db(min_snr / best.processed_snr))));
+    add("simulation", "",
+        core::warning("noise.drowns-echoes", "the echoes drown in noise: no processing finds a target" + scope_)
+            .found(fmt::format("target {}: SNR {:.1f} dB per pulse, {:.1f} dB with all pulses added", best.target + 1,
+                               core::power_db(best.snr), core::power_db(best.processed_snr)))
+            .expected(fmt::format("{:.0f} dB or more with all pulses added", core::power_db(min_snr)))
+            .hint(fmt::format(
+                "Raise power, antenna gains, pulse width or cross-sections by {:.0f} dB, or lower the noise "
+                "temperature (0: no noise).",
+                std::ceil(core::power_db(min_snr / best.processed_snr)))));
   }
 
   struct Extent {
@@ -193,15 +195,18 @@ class VisibilityRules {
     }
     if (cut.empty()) return;
     const bool too_short = window.last_m - window.first_m < pulse_m;
-    add(leaves ? core::Severity::warning : core::Severity::note, "simulation", "range_start_m",
-        too_short ? "the slant range window is shorter than the pulse: no echo is recorded whole"
-                  : fmt::format("the slant range window cuts the echoes of {} of {} targets ({}) while the beam is on "
-                                "them: their images are weaker and wider, or missing{}",
-                                cut.size(), sights_.size(), list_of(cut), scope_),
-        fmt::format("{} to {} m, which holds {:.0f} % of an echo", core::format_number(window.first_m),
-                    core::format_number(window.last_m), 100.0 * least),
-        fmt::format("about {:.0f} to {:.0f} m", wanted.first_m, wanted.last_m),
-        acquisition_.reception.compressor ? "" : raw);
+    add("simulation", "range_start_m",
+        core::ProblemBuilder(
+            leaves ? core::Severity::warning : core::Severity::note, "range-window.cuts-echoes",
+            too_short
+                ? "the slant range window is shorter than the pulse: no echo is recorded whole"
+                : fmt::format("the slant range window cuts the echoes of {} of {} targets ({}) while the beam is on "
+                              "them: their images are weaker and wider, or missing{}",
+                              cut.size(), sights_.size(), list_of(cut), scope_))
+            .found(fmt::format("{} to {} m, which holds {:.0f} % of an echo", core::format_number(window.first_m),
+                               core::format_number(window.last_m), 100.0 * least))
+            .expected(fmt::format("about {:.0f} to {:.0f} m", wanted.first_m, wanted.last_m))
+            .hint(acquisition_.reception.compressor ? "" : raw));
   }
 
   [[nodiscard]] static std::string list_of(const std::vector<std::size_t>& numbers) {
@@ -223,14 +228,16 @@ class VisibilityRules {
           s.best_pattern < good_pattern)
         missed.push_back(s.target + 1);
     if (missed.empty() || best_pattern(sights_) < min_pattern) return;
-    add(core::Severity::note, "simulation", "time_start_s",
-        fmt::format(
-            "the beam passes {} of {} targets ({}) before or after the azimuth window: their images are weak, at "
-            "its edge or outside of it{}",
-            missed.size(), sights_.size(), list_of(missed), scope_),
-        fmt::format("{} to {} s", core::format_number(acquisition_.simulation.time_start_s),
-                    core::format_number(acquisition_.simulation.time_end_s)),
-        "a window in which the beam passes all targets that are meant to be seen", "");
+    add("simulation", "time_start_s",
+        core::note(
+            "beam.passes-outside-window",
+            fmt::format(
+                "the beam passes {} of {} targets ({}) before or after the azimuth window: their images are weak, at "
+                "its edge or outside of it{}",
+                missed.size(), sights_.size(), list_of(missed), scope_))
+            .found(fmt::format("{} to {} s", core::format_number(acquisition_.simulation.time_start_s),
+                               core::format_number(acquisition_.simulation.time_end_s)))
+            .expected("a window in which the beam passes all targets that are meant to be seen"));
   }
 
   // Points that fill a surface stand a metre apart: at short wavelengths they form a lattice that reflects to the side.
@@ -238,11 +245,14 @@ class VisibilityRules {
     const double wavelength_m =
         radar::wavelength_of(acquisition_.link.carrier.highest_hz(), acquisition_.light_speed_mps());
     if (acquisition_.scene->sheets.empty() || wavelength_m >= 2.0) return;
-    add(core::Severity::note, "simulation", "radar",
-        "surfaces are filled with a point per square metre, too thinly for this wavelength: off the mirror direction "
-        "their echoes are those of the points, up to the strength of the mirror itself",
-        fmt::format("a wavelength of {}", core::with_prefix(wavelength_m, "m", 3)), "2 m or more",
-        "The echo in the mirror direction is off by up to 10 dB at 10 m to 1 m and 40 dB at 3 cm. Use targets.");
+    add("simulation", "radar",
+        core::note("surfaces.too-few-points",
+                   "surfaces are filled with a point per square metre, too thinly for this wavelength: off the mirror "
+                   "direction their echoes are those of the points, up to the strength of the mirror itself")
+            .found(fmt::format("a wavelength of {}", core::with_prefix(wavelength_m, "m", 3)))
+            .expected("2 m or more")
+            .hint("The echo in the mirror direction is off by up to 10 dB at 10 m to 1 m and 40 dB at 3 cm. Use "
+                  "targets."));
   }
 
   // The Doppler band of the beam of an antenna that moves.
@@ -259,10 +269,11 @@ class VisibilityRules {
     const double band_hz = 4.0 * speed_mps / wavelength_m * std::sin(half_width);
     const double prf_hz = 1.0 / acquisition_.link.repetition.mean_interval_s();
     if (band_hz <= prf_hz) return;
-    add(core::Severity::note, "radar", "prf_hz",
-        "the beam holds a wider Doppler band than the PRF samples: points off its middle may wrap around",
-        fmt::format("PRF {}", core::with_prefix(prf_hz, "Hz", 4)),
-        fmt::format("at least {} for all of the beam", core::with_prefix(band_hz, "Hz", 4)), "");
+    add("radar", "prf_hz",
+        core::note("prf.below-beam-band",
+                   "the beam holds a wider Doppler band than the PRF samples: points off its middle may wrap around")
+            .found(fmt::format("PRF {}", core::with_prefix(prf_hz, "Hz", 4)))
+            .expected(fmt::format("at least {} for all of the beam", core::with_prefix(band_hz, "Hz", 4))));
   }
 
   const VisibilityCase& sighted_;

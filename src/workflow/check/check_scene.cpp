@@ -1,7 +1,5 @@
 #include "workflow/check/check_scene.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "scene/script/reader.hpp"
@@ -14,10 +12,9 @@ namespace sarsim::workflow {
 void add_remarks(SceneInput& input, const core::WorkControl& control) {
   core::Problems found = output_names(input.scene, {}).problems;
   if (input.resolved && !core::has_errors(input.problems))
-    std::ranges::move(diagnose_commands(input.scene, simulate::thinned(input.resolved, max_cloud_looks), control),
-                      std::back_inserter(found));
+    core::append(found, diagnose_commands(input.scene, simulate::thinned(input.resolved, max_cloud_looks), control));
   scene::locate(found, input.places);
-  std::ranges::move(found, std::back_inserter(input.problems));
+  core::append(input.problems, std::move(found));
   input.problems = core::ranked(std::move(input.problems));
 }
 

@@ -85,12 +85,11 @@ CarriedHeader carried_header(const raster::EnviHeader& header, const ConvertRequ
                              std::optional<scene::FileFormat> format) {
   const bool array = format && raster::format_of(*format).envi_header;
   const auto left = [&](const std::string& why) {
-    return CarriedHeader{{},
-                         {},
-                         {core::problem_of(core::Severity::note,
-                                           fmt::format("axes and all else in the header of '{}' are left behind: {}",
-                                                       request.input, why),
-                                           {}, {}, "NPY in volts and .img keep them")}};
+    return CarriedHeader{
+        {},
+        {},
+        {core::note(fmt::format("axes and all else in the header of '{}' are left behind: {}", request.input, why))
+             .hint("NPY in volts and .img keep them")}};
   };
   if (format && !array) return left(fmt::format("{} has no place for them", format_word(*format)));
   if (request.counts) return left("counts do not make an image");
@@ -173,13 +172,11 @@ class Conversion {
   void expect_known() {
     core::Problems problems;
     const auto need = [&](const char* what, const char* option) {
-      core::Problem problem;
-      problem.message =
-          fmt::format("{} of '{}' {} not known, but {} needs {}", what, request_.input,
-                      std::string_view(what).ends_with("bits") ? "are" : "is", format_word(options_.format),
-                      std::string_view(what).ends_with("bits") ? "them" : "it");
-      problem.hint = hint_for(option);
-      problems.push_back(problem);
+      problems.push_back(
+          core::error(fmt::format("{} of '{}' {} not known, but {} needs {}", what, request_.input,
+                                  std::string_view(what).ends_with("bits") ? "are" : "is", format_word(options_.format),
+                                  std::string_view(what).ends_with("bits") ? "them" : "it"))
+              .hint(hint_for(option)));
     };
     const bool sized = raster::format_of(options_.format).needs_bits;
     if (product_.bits == 0 && options_.counts && (sized || change_ == Change::to_counts))
@@ -226,7 +223,7 @@ class Conversion {
   }
 
   [[nodiscard]] core::Problem what_is_not_finite() const {
-    return warning(fmt::format(
+    return core::warning(fmt::format(
         "{} of {} samples are not finite and were copied so; the first is row {}, sample {} (from 0)", not_finite_,
         product_.rows * product_.columns, first_not_finite_ / product_.columns, first_not_finite_ % product_.columns));
   }
@@ -237,16 +234,15 @@ class Conversion {
   }
 
   [[nodiscard]] core::Problem loss() const {
-    core::Problem problem = warning(fmt::format("all counts are 0: the LSB is {:g} V, the largest voltage {:g} V",
-                                                product_.lsb_v, tally_.maximum_v));
-    problem.hint =
-        fmt::format("give a smaller one: --lsb {:.6G}", tally_.maximum_v / radar::full_scale_count(product_.bits));
-    return problem;
+    return core::warning(fmt::format("all counts are 0: the LSB is {:g} V, the largest voltage {:g} V", product_.lsb_v,
+                                     tally_.maximum_v))
+        .hint(
+            fmt::format("give a smaller one: --lsb {:.6G}", tally_.maximum_v / radar::full_scale_count(product_.bits)));
   }
 
   [[nodiscard]] core::Problem clipping() const {
-    return warning(fmt::format("{} of {} samples were clipped to {} bits; {}", tally_.saturated,
-                               product_.rows * product_.columns, product_.bits, remedy_of_clipping()));
+    return core::warning(fmt::format("{} of {} samples were clipped to {} bits; {}", tally_.saturated,
+                                     product_.rows * product_.columns, product_.bits, remedy_of_clipping()));
   }
 
   [[nodiscard]] std::string remedy_of_clipping() const {
@@ -261,12 +257,8 @@ class Conversion {
   }
 
   [[nodiscard]] core::Problem what_is_no_number() const {
-    return warning(fmt::format("I or Q of {} of {} samples is not a number; count 0 stands for it", tally_.not_numbers,
-                               product_.rows * product_.columns));
-  }
-
-  static core::Problem warning(std::string message) {
-    return core::problem_of(core::Severity::warning, std::move(message), {}, {}, {});
+    return core::warning(fmt::format("I or Q of {} of {} samples is not a number; count 0 stands for it",
+                                     tally_.not_numbers, product_.rows * product_.columns));
   }
 
   [[nodiscard]] ConvertReport report() const {

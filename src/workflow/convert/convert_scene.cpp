@@ -29,10 +29,9 @@ void add_unsayable(const Object& object, const Object& back, const core::Subject
   for (const auto& field : scene::table_of<Object>().fields()) {
     if (!scene::table_of<Object>().applies(object, field) || field.get(object) == field.get(back)) continue;
     core::Problem problem =
-        core::problem_of(core::Severity::error,
-                         fmt::format("a script of the language of 1998 cannot say the {} as it is", field.spec.words),
-                         {}, {}, "change it, or keep the scene in format 2");
-    problem.subject = subject;
+        core::error(fmt::format("a script of the language of 1998 cannot say the {} as it is", field.spec.words))
+            .hint("change it, or keep the scene in format 2")
+            .at(subject);
     problem.subject.field = field.spec.problem_place();
     problems.push_back(std::move(problem));
   }
@@ -51,8 +50,7 @@ std::string script_text(const SceneInput& input) {
       if (i < others.size())
         add_unsayable(objects[i], others[i], subject, problems);
       else
-        problems.push_back(core::problem_of(core::Severity::error,
-                                            fmt::format("a script cannot hold {} {}", kind.name, i + 1), {}, {}, {}));
+        problems.push_back(core::error(fmt::format("a script cannot hold {} {}", kind.name, i + 1)));
     }
   });
   if (problems.empty()) return text;
@@ -97,14 +95,13 @@ core::Problems convert_scene(const ConvertSceneRequest& request, const core::Wor
   core::Problems remarks = input.problems;
   if (*language == scene::Language::format_2 &&
       core::valid_utf8(text_of_names(input.scene)) != text_of_names(input.scene))
-    remarks.push_back(core::problem_of(core::Severity::warning, "names that are not in UTF-8 were taken for Latin-1",
-                                       {}, {}, "look at the names in the new file"));
+    remarks.push_back(
+        core::warning("names that are not in UTF-8 were taken for Latin-1").hint("look at the names in the new file"));
   const fs::path from = fs::absolute(request.input).parent_path().lexically_normal();
   const fs::path to = fs::absolute(request.output).parent_path().lexically_normal();
   if (from != to && !data_files_of(input.scene, fs::path(request.input).parent_path()).empty())
-    remarks.push_back(core::problem_of(core::Severity::warning,
-                                       "the scene names data files, which are looked for beside it", {}, {},
-                                       fmt::format("copy them to {}", to.string())));
+    remarks.push_back(core::warning("the scene names data files, which are looked for beside it")
+                          .hint(fmt::format("copy them to {}", to.string())));
   return remarks;
 }
 

@@ -1,7 +1,6 @@
 #include "workflow/exchange/collection.hpp"
 
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,27 +19,30 @@ namespace {
 std::vector<double> numbers_of(const std::string& text, std::size_t count, const char* option, const char* expected) {
   const auto numbers = core::numbers_between_commas(text);
   if (!numbers || numbers->size() != count)
-    throw core::InvalidRequest(
-        {core::problem_of(core::Severity::error, fmt::format("{} is malformed", option), text, expected, {})});
+    throw core::InvalidRequest({core::error(fmt::format("{} is malformed", option)).found(text).expected(expected)});
   return *numbers;
 }
 
 void expect_exchangeable(const simulate::Acquisition& acquisition, core::Problems& problems) {
-  const auto refuse = [&](std::string message, std::string found, std::string expected, std::string hint) {
-    problems.push_back(core::problem_of(core::Severity::error, std::move(message), std::move(found),
-                                        std::move(expected), std::move(hint)));
-  };
   if (acquisition.scene->options.profile != scene::Profile::physical)
-    refuse("the classic profile has another speed of light and other delays than the standard", "classic",
-           "the physical profile", "add --profile physical");
+    problems.push_back(core::error("the classic profile has another speed of light and other delays than the standard")
+                           .found("classic")
+                           .expected("the physical profile")
+                           .hint("add --profile physical"));
   if (!acquisition.reception.is_raw())
-    refuse("CPHD and CRSD are made of raw pulses, but the recording is compressed", {}, "raw processing",
-           "name the scene, from which raw pulses are computed, or record with processing = \"raw\"");
+    problems.push_back(
+        core::error("CPHD and CRSD are made of raw pulses, but the recording is compressed")
+            .expected("raw processing")
+            .hint("name the scene, from which raw pulses are computed, or record with processing = \"raw\""));
   if (acquisition.link.stc != scene::Radar::Stc::none)
-    refuse("STC changes the amplitudes along a row, which the standard does not know", "STC", "no STC",
-           "leave out the STC of the radar");
+    problems.push_back(core::error("STC changes the amplitudes along a row, which the standard does not know")
+                           .found("STC")
+                           .expected("no STC")
+                           .hint("leave out the STC of the radar"));
   if (acquisition.scene->options.eclipsing == scene::Eclipsing::blanked)
-    refuse("blanked samples have no place in a phase history", "eclipsing = \"blanked\"", "none", {});
+    problems.push_back(core::error("blanked samples have no place in a phase history")
+                           .found("eclipsing = \"blanked\"")
+                           .expected("none"));
 }
 
 // A recording with its rows and what the scene says of its world.
@@ -55,7 +57,7 @@ struct Opened {
 Opened opened_scene(RecordingArguments arguments, const core::WorkControl& control, core::Problems& remarks) {
   if (!arguments.overrides.pulse) arguments.overrides.pulse = scene::PulseDefinition::band_limited;
   auto [input, simulation] = open_script(arguments, records_pulses, control);
-  std::ranges::move(input.problems, std::back_inserter(remarks));
+  core::append(remarks, std::move(input.problems));
   const simulate::Acquisition window = simulate::acquisition_of(input.scene, simulation, input.resolved);
   scene::Simulation& recorded = input.scene.simulations[simulation];
   recorded = recorded_for_sar(recorded, window);
@@ -71,7 +73,7 @@ Opened opened_file(const RecordingArguments& arguments, const core::WorkControl&
     return problems;
   };
   StoredRecording stored = open_recording(arguments, records_pulses, problems_of, control);
-  std::ranges::move(stored.problems, std::back_inserter(remarks));
+  core::append(remarks, std::move(stored.problems));
   return {stored.acquisition, std::move(stored.rows), stored.scene.world, stored.simulation, std::move(stored.sources)};
 }
 
@@ -102,7 +104,7 @@ Collection open_collection(const CollectionArguments& arguments, const core::Wor
   expect_exchangeable(*opened.acquisition, problems);
   if (core::has_errors(problems)) throw core::InvalidRequest(core::ranked(std::move(problems)));
   EarthPlace place = earth_place(opened.world, arguments.anchor, arguments.format);
-  std::ranges::move(place.remarks, std::back_inserter(remarks));
+  core::append(remarks, std::move(place.remarks));
   Collection collection{.acquisition = opened.acquisition,
                         .rows = std::move(opened.rows),
                         .computed = names_script(arguments.input),

@@ -63,20 +63,20 @@ void expect_receivable(const simulate::Acquisition& acquisition) {
   constexpr double off_samples = 1e-3;
   constexpr double min_oversampling = 1.1;
   core::Problems problems;
-  const auto refuse = [&](std::string message, std::string found, std::string expected, std::string hint) {
-    problems.push_back(core::problem_of(core::Severity::error, std::move(message), std::move(found),
-                                        std::move(expected), std::move(hint)));
-  };
   const double rate_hz = 1.0 / acquisition.reception.raw_grid.interval_s;
   const double band_hz = std::abs(radar::bandwidth_hz(acquisition.link.pulse));
   const bool chirp = acquisition.link.pulse.kind == radar::Pulse::Kind::chirp;
   if (!chirp && acquisition.link.pulse.kind != radar::Pulse::Kind::mono)
-    refuse("CRSD describes pulses of one frequency and chirps, but this one is coded or given by points", {}, "a chirp",
-           "NPY and HDF5 take any pulse");
+    problems.push_back(
+        core::error("CRSD describes pulses of one frequency and chirps, but this one is coded or given by points")
+            .expected("a chirp")
+            .hint("NPY and HDF5 take any pulse"));
   if (!(rate_hz >= min_oversampling * band_hz))
-    refuse("the sampling rate is too low for CRSD", fmt::format("{:.6g} MHz", 1e-6 * rate_hz),
-           fmt::format("at least {:.6g} MHz, 1.1 times the bandwidth", 1e-6 * min_oversampling * band_hz),
-           "raise sample_rate");
+    problems.push_back(
+        core::error("the sampling rate is too low for CRSD")
+            .found(fmt::format("{:.6g} MHz", 1e-6 * rate_hz))
+            .expected(fmt::format("at least {:.6g} MHz, 1.1 times the bandwidth", 1e-6 * min_oversampling * band_hz))
+            .hint("raise sample_rate"));
   const radar::Repetition& repetition = acquisition.link.repetition;
   double shortest_s = INFINITY;
   double worst = 0.0;
@@ -91,18 +91,22 @@ void expect_receivable(const simulate::Acquisition& acquisition) {
   }
   if (worst > off_samples) {
     const double per_pulse = repetition.mean_interval_s() * rate_hz;
-    refuse("the pulses do not leave a whole number of sample periods after one another, on the clock of the converter",
-           fmt::format("{:.6g} sample periods from pulse to pulse; off by {:.3g} at {:.6g} s", per_pulse, worst, at_s),
-           "whole numbers, within 0.001",
-           fmt::format("a repetition of {:.9g} Hz is {:.0f} sample periods at this sample_rate",
-                       rate_hz / std::round(per_pulse), std::round(per_pulse)));
+    problems.push_back(
+        core::error(
+            "the pulses do not leave a whole number of sample periods after one another, on the clock of the converter")
+            .found(fmt::format("{:.6g} sample periods from pulse to pulse; off by {:.3g} at {:.6g} s", per_pulse, worst,
+                               at_s))
+            .expected("whole numbers, within 0.001")
+            .hint(fmt::format("a repetition of {:.9g} Hz is {:.0f} sample periods at this sample_rate",
+                              rate_hz / std::round(per_pulse), std::round(per_pulse))));
   }
   const double window_s =
       static_cast<double>(acquisition.reception.raw_grid.count) * acquisition.reception.raw_grid.interval_s;
   if (window_s > shortest_s * (1.0 + 1e-9))
-    refuse("the recorded windows overlap", fmt::format("{:.6g} us", 1e6 * window_s),
-           fmt::format("at most {:.6g} us, the shortest pulse interval", 1e6 * shortest_s),
-           "shorten the range, or lower the repetition");
+    problems.push_back(core::error("the recorded windows overlap")
+                           .found(fmt::format("{:.6g} us", 1e6 * window_s))
+                           .expected(fmt::format("at most {:.6g} us, the shortest pulse interval", 1e6 * shortest_s))
+                           .hint("shorten the range, or lower the repetition"));
   if (!problems.empty()) throw core::InvalidRequest(core::ranked(std::move(problems)));
 }
 

@@ -23,40 +23,37 @@ void expect_divisible(const Collection& collection, const HistoryShape& shape, c
   const simulate::Acquisition& acquisition = *collection.acquisition;
   const DelaySpan whole = whole_echoes(acquisition);
   if (!(whole.first_s < whole.last_s))
-    throw core::InvalidRequest({core::problem_of(
-        core::Severity::error, "the recorded window is shorter than the pulse: it holds no echo as a whole",
-        fmt::format("{:.6g} us", 1e6 * static_cast<double>(acquisition.reception.raw_grid.count) *
-                                     acquisition.reception.raw_grid.interval_s),
-        fmt::format("more than the pulse width, {:.6g} us", 1e6 * acquisition.link.pulse.width_s),
-        "record a longer range, or shorten the pulse")});
+    throw core::InvalidRequest(
+        {core::error("the recorded window is shorter than the pulse: it holds no echo as a whole")
+             .found(fmt::format("{:.6g} us", 1e6 * static_cast<double>(acquisition.reception.raw_grid.count) *
+                                                 acquisition.reception.raw_grid.interval_s))
+             .expected(fmt::format("more than the pulse width, {:.6g} us", 1e6 * acquisition.link.pulse.width_s))
+             .hint("record a longer range, or shorten the pulse")});
   const double lost = 1.0 - (shape.toa2_s - shape.toa1_s) / (whole.last_s - whole.first_s);
   const char* const other = "add --reference-point moving, or record for a shorter time";
   if (!(lost < 1.0))
-    throw core::InvalidRequest({core::problem_of(
-        core::Severity::error, "no range around the reference point is recorded in all pulses", {}, {}, other)});
+    throw core::InvalidRequest(
+        {core::error("no range around the reference point is recorded in all pulses").hint(other)});
   if (lost > 0.5)
-    remarks.push_back(core::problem_of(
-        core::Severity::warning,
-        fmt::format("of the recorded swath {:.0f} % are lost: they are not recorded in all pulses around one reference "
-                    "point",
-                    100.0 * lost),
-        {}, {}, other));
+    remarks.push_back(
+        core::warning("export.swath-lost", fmt::format("of the recorded swath {:.0f} % are lost: they are not recorded "
+                                                       "in all pulses around one reference point",
+                                                       100.0 * lost))
+            .hint(other));
   const double share = PhaseHistory(collection, shape).weakest_share(acquisition.timing.rows / 2);
   if (!(share >= min_share))
-    throw core::InvalidRequest({core::problem_of(
-        core::Severity::error, "the spectrum of the pulse has gaps, by which CPHD cannot divide",
-        fmt::format("{:.2g} of its largest magnitude", share), fmt::format("at least {:g} within the band", min_share),
-        "use a chirp; CRSD takes any pulse as it is")});
+    throw core::InvalidRequest({core::error("the spectrum of the pulse has gaps, by which CPHD cannot divide")
+                                    .found(fmt::format("{:.2g} of its largest magnitude", share))
+                                    .expected(fmt::format("at least {:g} within the band", min_share))
+                                    .hint("use a chirp; CRSD takes any pulse as it is")});
   if (acquisition.scene->options.pulse != scene::PulseDefinition::band_limited)
-    remarks.push_back(core::problem_of(core::Severity::warning,
-                                       "the pulse has hard edges, whose spectrum does not end at half the sampling "
-                                       "rate: the samples of each vector are "
-                                       "off by 3 to 7 % (root of the mean square)",
-                                       {}, {},
-                                       collection.computed
-                                           ? "add --pulse band-limited, with which they are off by less than 0.1 %"
-                                           : "convert the scene in place of its recording, with which they are off by "
-                                             "less than 0.1 %: sarsim convert SCENE OUT.cphd --pulse band-limited"));
+    remarks.push_back(core::warning("export.pulse-edges",
+                                    "the pulse has hard edges, whose spectrum does not end at half the sampling rate: "
+                                    "the samples of each vector are off by 3 to 7 % (root of the mean square)")
+                          .hint(collection.computed
+                                    ? "add --pulse band-limited, with which they are off by less than 0.1 %"
+                                    : "convert the scene in place of its recording, with which they are off by less "
+                                      "than 0.1 %: sarsim convert SCENE OUT.cphd --pulse band-limited"));
 }
 
 // Several vectors as bytes: enough work for a thread.

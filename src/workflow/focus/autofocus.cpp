@@ -307,12 +307,13 @@ core::Problems diagnose_autofocus(const AutofocusFinding& finding) {
   // A small error found in a sharp image needs no advice.
   constexpr double small_rad = 0.1;
   const bool matters = finding.rms_rad > small_rad;
-  return {core::problem_of(
-      matters ? core::Severity::warning : core::Severity::note,
-      fmt::format(
-          "autofocus failed: it found {:.3g} rad rms in pieces of {:.4g} m, but {}; the image is left as it was",
-          finding.rms_rad, finding.piece_m, failure),
-      {}, {}, matters ? "try another --autofocus-piece, or give focus the flown track with --script" : "")};
+  return {
+      core::ProblemBuilder(
+          matters ? core::Severity::warning : core::Severity::note, "focus.autofocus-failed",
+          fmt::format(
+              "autofocus failed: it found {:.3g} rad rms in pieces of {:.4g} m, but {}; the image is left as it was",
+              finding.rms_rad, finding.piece_m, failure))
+          .hint(matters ? "try another --autofocus-piece, or give focus the flown track with --script" : "")};
 }
 
 void write_phase(const AutofocusFinding& finding, const std::filesystem::path& path, bool replace) {

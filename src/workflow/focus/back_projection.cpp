@@ -131,11 +131,12 @@ void cut_range(signal::ImageAxis& range, const signal::AxisInterval& area) {
   const double last = range.index_of(area.last_m);
   if (!(std::abs(first) <= max_columns && std::abs(last) <= max_columns)) {
     const double max_m = max_columns * range.step_m;
-    throw core::InvalidRequest({core::problem_of(
-        core::Severity::error, "--range reaches too far from the recorded ranges",
-        fmt::format("{:.6g} to {:.6g} m", area.first_m, area.last_m),
-        fmt::format("ranges from {:.6g} to {:.6g} m", range.first_m - max_m, range.first_m + max_m),
-        fmt::format("recorded are {:.6g} to {:.6g} m", range.first_m, range.at(static_cast<double>(range.count))))});
+    throw core::InvalidRequest(
+        {core::error("--range reaches too far from the recorded ranges")
+             .found(fmt::format("{:.6g} to {:.6g} m", area.first_m, area.last_m))
+             .expected(fmt::format("ranges from {:.6g} to {:.6g} m", range.first_m - max_m, range.first_m + max_m))
+             .hint(fmt::format("recorded are {:.6g} to {:.6g} m", range.first_m,
+                               range.at(static_cast<double>(range.count))))});
   }
   signal::cut_axis(range, area);
 }

@@ -41,11 +41,12 @@ core::Problems diagnose_edges(const simulate::Acquisition& acquisition) {
     const double shift_m = radar::range_of(loss.max_shift_s, acquisition.light_speed_mps());
     found += fmt::format(", range errors up to {}", core::with_prefix(shift_m, "m", 3));
   }
-  return {core::problem_of(
-      core::Severity::warning, "the pulse has hard edges, and the sampling rate is too low for them", std::move(found),
-      fmt::format("a loss up to {:g} dB and range errors up to {:g} of a range cell", max_loss_db, max_shift_cells),
-      "confine the pulse to the sampled band with pulse = \"band-limited\" in [options] (or --pulse band-limited), or "
-      "sample faster")};
+  return {core::warning("focus.pulse-edges", "the pulse has hard edges, and the sampling rate is too low for them")
+              .found(std::move(found))
+              .expected(fmt::format("a loss up to {:g} dB and range errors up to {:g} of a range cell", max_loss_db,
+                                    max_shift_cells))
+              .hint("confine the pulse to the sampled band with pulse = \"band-limited\" in [options] (or --pulse "
+                    "band-limited), or sample faster")};
 }
 
 }  // namespace sarsim::workflow

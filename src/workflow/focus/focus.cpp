@@ -112,7 +112,7 @@ void expect_focusable(const FocusInput& input, core::Problems problems, MotionOr
            (motion != MotionOrder::none && problem.subject.field == signal::track_field);
   });
   if (problems.empty()) return;
-  std::ranges::copy(input.problems, std::back_inserter(problems));
+  core::append(problems, input.problems);
   throw core::InvalidRequest(core::ranked(std::move(problems)));
 }
 
@@ -201,18 +201,16 @@ void compensate_work(FocusPipeline& work, const FocusRequest& request, const cor
 core::Problems problems_of_work(const FocusPipeline& work, const FocusRequest& request,
                                 const core::WorkControl& control) {
   core::Problems problems = work.input.problems;
-  std::ranges::copy(work.problems, std::back_inserter(problems));
+  core::append(problems, work.problems);
   if (core::has_errors(problems)) throw core::InvalidRequest(core::ranked(std::move(problems)));
-  std::ranges::move(diagnose_area(work.input.echoes, work.options), std::back_inserter(problems));
+  core::append(problems, diagnose_area(work.input.echoes, work.options));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
-  std::ranges::move(diagnose_sar(*work.input.acquisition, work.input.echoes, kept,
-                                 ambiguities_in(request, work.input.echoes), control),
-                    std::back_inserter(problems));
-  std::ranges::move(diagnose_air(*work.input.acquisition), std::back_inserter(problems));
-  std::ranges::move(diagnose_edges(*work.input.acquisition), std::back_inserter(problems));
+  core::append(problems, diagnose_sar(*work.input.acquisition, work.input.echoes, kept,
+                                      ambiguities_in(request, work.input.echoes), control));
+  core::append(problems, diagnose_air(*work.input.acquisition));
+  core::append(problems, diagnose_edges(*work.input.acquisition));
   if (!in_time(request))
-    std::ranges::move(diagnose_swath_loss(*work.input.acquisition, work.input.echoes, work.options, control),
-                      std::back_inserter(problems));
+    core::append(problems, diagnose_swath_loss(*work.input.acquisition, work.input.echoes, work.options, control));
   return core::ranked(std::move(problems));
 }
 
@@ -235,24 +233,20 @@ signal::FocusedImage image_axes(FocusPipeline& work, const FocusRequest& request
   if (!work.options.spectrum) return axes;
   signal::FocusOptions coarse = work.options;
   coarse.spectrum.reset();
-  std::ranges::move(diagnose_grid(axes_for(coarse), axes, *work.options.spectrum),
-                    std::back_inserter(work.input.problems));
-  std::ranges::move(diagnose_carriers(work.input.echoes, *work.options.spectrum),
-                    std::back_inserter(work.input.problems));
+  core::append(work.input.problems, diagnose_grid(axes_for(coarse), axes, *work.options.spectrum));
+  core::append(work.input.problems, diagnose_carriers(work.input.echoes, *work.options.spectrum));
   return axes;
 }
 
 void remark_on_movers(FocusPipeline& work, signal::FocusedImage axes, const core::WorkControl& control) {
   if (work.options.azimuth_area) signal::cut_axis(axes.azimuth, *work.options.azimuth_area);
-  std::ranges::move(diagnose_movers(*work.input.acquisition, work.input.echoes, axes, control),
-                    std::back_inserter(work.input.problems));
+  core::append(work.input.problems, diagnose_movers(*work.input.acquisition, work.input.echoes, axes, control));
 }
 
 // @param axes  of slant range, or of the grid around a scene
 void remark_on_outside(FocusPipeline& work, const FocusRequest& request, const signal::FocusedImage& axes) {
   if (around_scene(request, work.input.echoes)) return;
-  std::ranges::move(diagnose_outside(work.to_show, axes, work.options, in_time(request)),
-                    std::back_inserter(work.input.problems));
+  core::append(work.input.problems, diagnose_outside(work.to_show, axes, work.options, in_time(request)));
 }
 
 signal::FocusedRows focused_rows(const FocusPipeline& work, const FocusRequest& request, signal::FocusedImage axes,
@@ -299,7 +293,7 @@ std::optional<EarthPlace> wanted_place(const FocusRequest& request, FocusInput& 
   const bool kept = request.output.empty() && (request.anchor || scene::earth_of(input.world));
   if (!kept && !is_sicd(request.output)) return std::nullopt;
   EarthPlace place = earth_place(input.world, request.anchor, "SICD");
-  if (!kept) std::ranges::copy(place.remarks, std::back_inserter(input.problems));
+  if (!kept) core::append(input.problems, place.remarks);
   return place;
 }
 
@@ -315,18 +309,16 @@ core::Problems diagnose_focus(FocusInput input, const core::WorkControl& control
   });
   const simulate::Acquisition& acquisition = *work.input.acquisition;
   const signal::EchoRows& echoes = work.input.echoes;
-  if (work.options.spectrum)
-    std::ranges::move(diagnose_carriers(echoes, *work.options.spectrum), std::back_inserter(problems));
-  std::ranges::move(diagnose_movers(acquisition, echoes, std::nullopt, control), std::back_inserter(problems));
+  if (work.options.spectrum) core::append(problems, diagnose_carriers(echoes, *work.options.spectrum));
+  core::append(problems, diagnose_movers(acquisition, echoes, std::nullopt, control));
   if (moves(echoes) && !around_scene(request, echoes))
-    std::ranges::move(diagnose_outside(work.to_show, slant_axes(work, request, work.to_show, work.options),
-                                       work.options, in_time(request)),
-                      std::back_inserter(problems));
+    core::append(problems, diagnose_outside(work.to_show, slant_axes(work, request, work.to_show, work.options),
+                                            work.options, in_time(request)));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
-  std::ranges::move(diagnose_ghosts(acquisition, echoes, kept, ambiguities_in(request, work.input.echoes), control),
-                    std::back_inserter(problems));
-  std::ranges::move(diagnose_air(acquisition), std::back_inserter(problems));
-  std::ranges::move(diagnose_edges(acquisition), std::back_inserter(problems));
+  core::append(problems,
+               diagnose_ghosts(acquisition, echoes, kept, ambiguities_in(request, work.input.echoes), control));
+  core::append(problems, diagnose_air(acquisition));
+  core::append(problems, diagnose_edges(acquisition));
   return core::ranked(std::move(problems));
 }
 
@@ -416,7 +408,7 @@ FocusReport end_focus(FocusPipeline& work, const core::Observer& observer, Focus
         autofocused(report.image, work.input.echoes, targets, choice, work.options, control);
     const core::Problems failed = diagnose_autofocus(*report.autofocus);
     observer.remarks(failed);
-    report.problems.insert(report.problems.end(), failed.begin(), failed.end());
+    core::append(report.problems, failed);
   }
   if (place) {
     const bool refocused = report.autofocus && report.autofocus->applied;

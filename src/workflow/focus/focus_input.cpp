@@ -1,7 +1,5 @@
 #include "workflow/focus/focus_input.hpp"
 
-#include <algorithm>
-
 #include "core/report/invalid_request.hpp"
 #include "radar/motion/motion_path.hpp"
 #include "radar/path/path.hpp"
@@ -40,7 +38,7 @@ void believe(const std::string& file, const scene::Scene& scene, FocusInput& foc
   core::Problems problems = read_motions(believed, {});
   for (core::Problem& problem : problems) problem.subject = {};
   if (core::has_errors(problems)) throw core::InvalidRequest(core::ranked(std::move(problems)));
-  std::ranges::move(problems, std::back_inserter(focus.problems));
+  core::append(focus.problems, std::move(problems));
   const radar::MotionPath path = radar::StatePath{platform.read_path->states};
   std::vector<signal::TrackPoint> track =
       track_along(*focus.acquisition, [&](double time_s) { return path.state(time_s).position_world_m; });
@@ -49,7 +47,7 @@ void believe(const std::string& file, const scene::Scene& scene, FocusInput& foc
       focus.echoes.waveform.light_speed_mps);
   core::Problems of_track = problems_of_navigation(file, focus.echoes.track, track, farthest_m);
   if (core::has_errors(of_track)) throw core::InvalidRequest(core::ranked(std::move(of_track)));
-  std::ranges::move(of_track, std::back_inserter(focus.problems));
+  core::append(focus.problems, std::move(of_track));
   focus.echoes.track = std::move(track);
 }
 
@@ -57,7 +55,7 @@ FocusInput of_script(const RecordingArguments& arguments, const core::WorkContro
                      const std::string& navigation) {
   auto [input, simulation] = open_script(arguments, records_pulses, control);
   FocusInput focus = focus_input_of(input.scene, simulation, input.resolved);
-  std::ranges::move(input.problems, std::back_inserter(focus.problems));
+  core::append(focus.problems, std::move(input.problems));
   if (core::has_errors(focus.problems)) throw core::InvalidRequest(core::ranked(std::move(focus.problems)));
   believe(navigation, input.scene, focus);
   focus.of_files = std::move(input.of_files);

@@ -96,9 +96,10 @@ std::size_t channel_named(const raster::CphdFile& file, const std::string& id) {
   std::string known;
   for (const raster::PhaseChannel& channel : file.description().channels)
     known += (known.empty() ? "" : ", ") + channel.id;
-  throw core::InvalidRequest(
-      {core::problem_of(core::Severity::error, "--channel: the file has no such channel", id, known,
-                        "say one of them; without --channel the reference channel is taken")});
+  throw core::InvalidRequest({core::error("--channel: the file has no such channel")
+                                  .found(id)
+                                  .expected(known)
+                                  .hint("say one of them; without --channel the reference channel is taken")});
 }
 
 // The lowest and the highest spatial frequency along an axis, cycles per metre, of the echoes of the area's middle and
@@ -162,14 +163,15 @@ double repeats_after_m(const signal::FocusedImage& image, const std::vector<Phas
 void remark_on_repetition(const signal::FocusedImage& image, double repeats_m, core::Problems& problems) {
   const double width_m = static_cast<double>(image.azimuth.count) * image.azimuth.step_m;
   if (!(repeats_m < width_m)) return;
-  problems.push_back(core::problem_of(
-      core::Severity::warning,
-      fmt::format("pulses are too far apart for the image: a point appears again every {:.4g} m in azimuth, unless the "
-                  "antenna does not see it from there, and the image is {:.4g} m wide",
-                  repeats_m, width_m),
-      {}, {},
-      fmt::format("focus a part that is narrower, for instance --azimuth {:.3g}:{:.3g}", -0.45 * repeats_m,
-                  0.45 * repeats_m)));
+  problems.push_back(
+      core::warning(
+          "focus.pulses-too-far-apart",
+          fmt::format(
+              "pulses are too far apart for the image: a point appears again every {:.4g} m in azimuth, unless the "
+              "antenna does not see it from there, and the image is {:.4g} m wide",
+              repeats_m, width_m))
+          .hint(fmt::format("focus a part that is narrower, for instance --azimuth {:.3g}:{:.3g}", -0.45 * repeats_m,
+                            0.45 * repeats_m)));
 }
 
 // An axis over [low, high] whose samples tell all frequencies of a band apart.
@@ -224,13 +226,12 @@ signal::FocusedImage image_over(const raster::CphdDescription& d, const PhaseHis
 // One pulse tells ranges apart and no directions.
 void expect_several(std::size_t vectors, const raster::PhaseChannel& channel, const std::string& path) {
   if (vectors > 1) return;
-  core::Problem problem =
-      core::problem_of(core::Severity::error,
-                       fmt::format("channel '{}' has a signal in one vector: one pulse makes no image", channel.id),
-                       fmt::format("{} of {} vectors", vectors, channel.vectors), "two vectors or more",
-                       "the image viewer and sarsim plot show the vector itself; --channel chooses another channel");
-  problem.place.file = path;
-  throw core::InvalidRequest({std::move(problem)});
+  throw core::InvalidRequest(
+      {core::error(fmt::format("channel '{}' has a signal in one vector: one pulse makes no image", channel.id))
+           .found(fmt::format("{} of {} vectors", vectors, channel.vectors))
+           .expected("two vectors or more")
+           .hint("the image viewer and sarsim plot show the vector itself; --channel chooses another channel")
+           .in(path)});
 }
 
 signal::BackProjectionOptions weights_of(const FocusRequest& request) {
@@ -288,8 +289,7 @@ FocusReport focus_phase_history(const FocusRequest& asked, const core::Observer&
   const raster::CphdDescription& d = file->description();
   const std::size_t channel = channel_named(*file, request.channel);
   if (request.sign && *request.sign == d.sign)
-    report.problems.push_back(
-        core::problem_of(core::Severity::note, "--sign says what the file says itself", {}, {}, {}));
+    report.problems.push_back(core::note("focus.needless-sign", "--sign says what the file says itself"));
   const radar::EarthFrame earth(anchor_of(d));
   const PhaseHistoryRows rows(file, channel, request.sign, earth);
   constexpr std::size_t max_looks = 1024;

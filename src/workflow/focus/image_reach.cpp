@@ -146,12 +146,12 @@ core::Problems diagnose_outside(const std::vector<SarTarget>& targets, const sig
   const bool scaled = !in_time && options.method == signal::FocusMethod::chirp_scaling;
   std::vector<std::size_t> numbers;
   for (const SarTarget& target : outside) numbers.push_back(target.target);
-  return {core::problem_of(core::Severity::warning,
-                           outside.size() == 1
-                               ? fmt::format("target {} lies outside of the image: {}", farthest.target + 1, where)
-                               : fmt::format("{} targets ({}) lie outside of the image: target {}, the farthest, {}",
-                                             outside.size(), target_list(numbers), farthest.target + 1, where),
-                           {}, {}, fmt::format("use {}{}", scaled ? "--algorithm omega-k " : "", areas))};
+  return {core::warning("focus.targets-outside-image",
+                        outside.size() == 1
+                            ? fmt::format("target {} lies outside of the image: {}", farthest.target + 1, where)
+                            : fmt::format("{} targets ({}) lie outside of the image: target {}, the farthest, {}",
+                                          outside.size(), target_list(numbers), farthest.target + 1, where))
+              .hint(fmt::format("use {}{}", scaled ? "--algorithm omega-k " : "", areas))};
 }
 
 }  // namespace sarsim::workflow

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <mutex>
 #include <set>
 #include <span>
@@ -156,10 +155,12 @@ core::Problems diagnose_header(const MeasuredImage& opened, const FocusInput& in
   constexpr double min_cosine = 0.9;  // Navigation and curved tracks turn the line by less.
   core::Problems remarks;
   const auto remark = [&](const char* field, std::string found, std::string expected) {
-    remarks.push_back(core::problem_of(
-        core::Severity::warning,
-        fmt::format("the header of '{}' contradicts what it was made from: {}", file.string(), field), std::move(found),
-        std::move(expected), "the header was edited, or belongs to another image: focus again"));
+    remarks.push_back(
+        core::warning("measure.header-contradicts",
+                      fmt::format("the header of '{}' contradicts what it was made from: {}", file.string(), field))
+            .found(std::move(found))
+            .expected(std::move(expected))
+            .hint("the header was edited, or belongs to another image: focus again"));
   };
   const signal::SarWaveform& waveform = input.echoes.waveform;
   const auto differ = [](double a, double b) { return std::abs(a - b) > share * std::abs(b); };
@@ -199,9 +200,9 @@ std::optional<core::Problem> note_of_clouds(const simulate::ResolvedScene& scene
         fmt::format("the {} points of the clouds are too many to be measured one by one", points),
         fmt::format("the limit is {} cloud points; add a target where an image is to be measured",
                     max_examined_targets));
-  return core::problem_of(core::Severity::note,
-                          fmt::format("the {} points of the clouds are not measured one by one", points), {},
-                          fmt::format("at most {} of them", max_examined_targets), {});
+  return core::note("measure.clouds-left-out",
+                    fmt::format("the {} points of the clouds are not measured one by one", points))
+      .expected(fmt::format("at most {} of them", max_examined_targets));
 }
 
 bool is_asked_for(const MeasureRequest& request, const TargetTheory& theory) {
@@ -297,11 +298,11 @@ class MissingSamples {
   void expect_none(const fs::path& image) const {
     if (places_.empty()) return;
     const auto [row, column] = *places_.begin();
-    throw core::InvalidRequest({core::problem_of(
-        core::Severity::error,
-        fmt::format("'{}' has samples near its targets that are not finite numbers", image.string()),
-        fmt::format("{}, the first in row {}, column {} (from 0)", places_.size(), row, column), "finite samples",
-        "'sarsim info --statistics' counts all of them; focus the recording again")});
+    throw core::InvalidRequest(
+        {core::error(fmt::format("'{}' has samples near its targets that are not finite numbers", image.string()))
+             .found(fmt::format("{}, the first in row {}, column {} (from 0)", places_.size(), row, column))
+             .expected("finite samples")
+             .hint("'sarsim info --statistics' counts all of them; focus the recording again")});
   }
 
  private:
@@ -360,12 +361,13 @@ std::optional<core::Problem> remark_on_edges(const signal::FocusedImage& image,
       near.push_back(target.theory.target);
   }
   if (near.empty()) return std::nullopt;
-  return core::problem_of(
-      core::Severity::warning,
-      fmt::format("{} of {} targets ({}) lie within 1.5 widths of the edge of the image, beyond which their responses "
-                  "are not known: amplitudes may be off by up to 1 dB, positions by an eighth of a width",
-                  near.size(), targets.size(), target_list(near)),
-      {}, {}, "record or focus a wider part");
+  return core::warning(
+             "measure.targets-at-edge",
+             fmt::format(
+                 "{} of {} targets ({}) lie within 1.5 widths of the edge of the image, beyond which their responses "
+                 "are not known: amplitudes may be off by up to 1 dB, positions by an eighth of a width",
+                 near.size(), targets.size(), target_list(near)))
+      .hint("record or focus a wider part");
 }
 
 }  // namespace
@@ -411,12 +413,12 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   observer.remarks(way.problems);
   const FocusInput input = open_focus_input(input_of(request, way, opened.origin), control);
   observer.remarks(input.of_files);
-  std::ranges::copy(input.of_files, std::back_inserter(way.problems));
+  core::append(way.problems, input.of_files);
   opened.origin.earth = earth_under(input.world, opened.origin);
   turn_to_world(input.world, opened);
   core::Problems of_header = diagnose_header(opened, input, request.image);
   observer.remarks(of_header);
-  std::ranges::move(of_header, std::back_inserter(way.problems));
+  core::append(way.problems, std::move(of_header));
   const std::vector<TargetTheory> theories = theories_of(opened, input, control);
   if (auto note = note_of_clouds(*input.acquisition->scene, theories.size())) {
     observer.remarks({*note});
@@ -424,9 +426,9 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   }
   expect_free_pictures(request, theories, named_sources(input_of(request, way, opened.origin)));
   core::Problems of_echoes = diagnose_movers(*input.acquisition, input.echoes, {}, control);
-  std::ranges::move(diagnose_edges(*input.acquisition), std::back_inserter(of_echoes));
+  core::append(of_echoes, diagnose_edges(*input.acquisition));
   observer.remarks(of_echoes);
-  std::ranges::move(of_echoes, std::back_inserter(way.problems));
+  core::append(way.problems, std::move(of_echoes));
   std::vector<MeasuredTarget> targets = measured_targets(opened, theories, request, control);
   if (auto edges = remark_on_edges(opened.image, targets)) {
     observer.remarks({*edges});

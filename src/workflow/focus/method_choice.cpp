@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string>
 
 #include <fmt/format.h>
@@ -54,7 +53,7 @@ class Chooser {
 
   void in_time() {
     const auto left = residual(TakenFlight::Kind::flown);
-    add(diagnose_residual(left, TakenFlight::Kind::flown));
+    core::append(work_.input.problems, diagnose_residual(left, TakenFlight::Kind::flown));
   }
 
   void in_frequency(bool free) {
@@ -71,12 +70,11 @@ class Chooser {
     if (open && (kind == TakenFlight::Kind::compensated || excess_of(lost) > max_excess))
       compare({kind, left, lost});
     else
-      add(diagnose_residual(left, kind));
+      core::append(work_.input.problems, diagnose_residual(left, kind));
   }
 
  private:
-  void add(core::Problems problems) { std::ranges::move(problems, std::back_inserter(work_.input.problems)); }
-  void note(std::string text) { add({core::problem_of(core::Severity::note, std::move(text), {}, {}, {})}); }
+  void note(std::string text) { core::append(work_.input.problems, {core::note("focus.method", std::move(text))}); }
 
   // What omega-k does to an image.
   struct OmegaK {
@@ -112,7 +110,7 @@ class Chooser {
       work_.motion = MotionOrder::none;
       note(fmt::format("back-projection instead of omega-k: {}; back-projection on its grid leaves {}", by_line.would(),
                        on_grid));
-      add(diagnose_residual(flown, TakenFlight::Kind::flown));
+      core::append(work_.input.problems, diagnose_residual(flown, TakenFlight::Kind::flown));
       return;
     }
     const std::string but = better ? ", but " + unaffordable : std::string();
@@ -122,7 +120,7 @@ class Chooser {
                       text_of(by_line.left), on_grid, but));
     else if (better)
       note(fmt::format("omega-k; back-projection on its grid would leave {}{}", on_grid, but));
-    add(diagnose_residual(by_line.left, by_line.kind));
+    core::append(work_.input.problems, diagnose_residual(by_line.left, by_line.kind));
   }
 
   // Nothing of a flight that is straight and even to a thousandth of a cycle.
@@ -190,8 +188,7 @@ void choose_beforehand(FocusRequest& request, FocusInput& input) {
     const std::string why = why_in_time(echoes);
     if (!why.empty()) request.algorithm = FocusAlgorithm::back_projection;
     if (!why.empty())
-      input.problems.push_back(
-          core::problem_of(core::Severity::note, "back-projection instead of omega-k: " + why, {}, {}, {}));
+      input.problems.push_back(core::note("focus.method", "back-projection instead of omega-k: " + why));
   }
   if (request.grid) return;
   const bool around = moves && request.algorithm == FocusAlgorithm::back_projection && !flies_along_a_line(echoes);

@@ -332,16 +332,16 @@ core::Problems diagnose_residual(const std::optional<MotionResidual>& residual, 
     what = "back-projection, made for level ground,";
     hint = "give the height of the ground at the target by --height";
   }
-  return {core::problem_of(
-      core::Severity::warning,
-      fmt::format("{} leaves {:.2g} rad rms in the echoes of target {}: its peak loses {:.2g} dB, its phase is wrong "
+  return {core::warning(
+              "focus.motion-residual",
+              fmt::format(
+                  "{} leaves {:.2g} rad rms in the echoes of target {}: its peak loses {:.2g} dB, its phase is wrong "
                   "by {:.2g} rad, and it is displaced by {:.2g} m along the track and {:.2g} m in range",
                   what, residual->rms_rad, residual->target + 1, std::max(residual->lost_db(), 0.0),
-                  residual->phase_rad, std::abs(residual->azimuth_m), std::abs(residual->range_m)),
-      {},
-      fmt::format("up to {:.2f} rad, {:.1f} dB and {:.2f} of a resolution cell", max_residual_rad, max_residual_db,
-                  max_residual_cells),
-      hint)};
+                  residual->phase_rad, std::abs(residual->azimuth_m), std::abs(residual->range_m)))
+              .expected(fmt::format("up to {:.2f} rad, {:.1f} dB and {:.2f} of a resolution cell", max_residual_rad,
+                                    max_residual_db, max_residual_cells))
+              .hint(hint)};
 }
 
 }  // namespace sarsim::workflow

@@ -53,15 +53,15 @@ void remark_on_rows(const std::vector<SarTarget>& targets, const std::vector<std
   }
   if (outside.empty()) return;
   constexpr double spare_m = 10.0;
-  problems.push_back(core::problem_of(
-      core::Severity::warning,
-      fmt::format(
-          "the images of moving targets ({}) are displaced to azimuths from {:.0f} to {:.0f} m: the image, from "
-          "{:.0f} to {:.0f} m, does not reach that far",
-          target_list(outside), nearest_m, farthest_m, first_m, last_m),
-      {}, {},
-      fmt::format("extend it with --azimuth {:.0f}:{:.0f}", std::min(first_m, nearest_m - spare_m),
-                  std::max(last_m, farthest_m + spare_m))));
+  problems.push_back(
+      core::warning(
+          "focus.movers-outside-image",
+          fmt::format(
+              "the images of moving targets ({}) are displaced to azimuths from {:.0f} to {:.0f} m: the image, from "
+              "{:.0f} to {:.0f} m, does not reach that far",
+              target_list(outside), nearest_m, farthest_m, first_m, last_m))
+          .hint(fmt::format("extend it with --azimuth {:.0f}:{:.0f}", std::min(first_m, nearest_m - spare_m),
+                            std::max(last_m, farthest_m + spare_m))));
 }
 
 }  // namespace
@@ -85,13 +85,12 @@ core::Problems diagnose_movers(const simulate::Acquisition& acquisition, const s
     const double azimuth_m = core::dot(motions.middles_m[t] - track.origin_m, track.along);
     farthest_m = std::max(farthest_m, std::abs(targets[t].place.azimuth_m - azimuth_m));
   }
-  core::Problems problems{core::problem_of(
-      core::Severity::note,
+  core::Problems problems{core::note(
+      "focus.movers-displaced",
       fmt::format(
           "{} of {} targets ({}) move or turn with their platform, at up to {:.3g} m/s: their images are displaced by "
           "up to {:.3g} m along the track, and blurred",
-          movers.size(), targets.size(), target_list(movers), fastest_mps, farthest_m),
-      {}, {}, {})};
+          movers.size(), targets.size(), target_list(movers), fastest_mps, farthest_m))};
   if (image && image->frame.plane == signal::ImagePlane::slant_range)
     remark_on_rows(targets, movers, *image, core::dot(image->frame.origin_m - track.origin_m, track.along), problems);
   return problems;

@@ -53,10 +53,10 @@ Farthest farthest_of(std::span<const signal::TrackPoint> recorded, std::span<con
   return farthest;
 }
 
-core::Problem navigation_problem(bool error, const std::string& name, const char* what, std::string found,
-                                 std::string expected, const char* hint) {
-  return core::problem_of(error ? core::Severity::error : core::Severity::warning, fmt::format("{}: {}", name, what),
-                          std::move(found), std::move(expected), hint);
+core::ProblemBuilder navigation_problem(bool error, const std::string& name, const char* what) {
+  return core::ProblemBuilder(error ? core::Severity::error : core::Severity::warning, "navigation.not-of-recording",
+                              fmt::format("{}: {}", name, what))
+      .hint("is it of this recording, in the axes of its world, with its time 0, in metres?");
 }
 
 }  // namespace
@@ -67,26 +67,28 @@ core::Problems problems_of_navigation(const std::string& name, std::span<const s
   constexpr double tolerated = 0.01;
   constexpr double tolerated_rad = core::rad_per_deg;
   constexpr double min_way_m = 1.0;
-  constexpr const char* hint = "is it of this recording, in the axes of its world, with its time 0, in metres?";
   core::Problems problems;
   const Farthest far = farthest_of(recorded, believed);
   if (!(far.distance_m <= tolerated * farthest_m))
-    problems.push_back(navigation_problem(
-        !(far.distance_m <= farthest_m), name, "the navigation is far from the track of the recording",
-        fmt::format("{:.6g} m away at {:.6g} s", far.distance_m, far.time_s),
-        fmt::format("up to {:.4g} m, a hundredth of the farthest range", tolerated * farthest_m), hint));
+    problems.push_back(
+        navigation_problem(!(far.distance_m <= farthest_m), name,
+                           "the navigation is far from the track of the recording")
+            .found(fmt::format("{:.6g} m away at {:.6g} s", far.distance_m, far.time_s))
+            .expected(fmt::format("up to {:.4g} m, a hundredth of the farthest range", tolerated * farthest_m)));
   const Ways ways = ways_of(recorded, believed);
   if (core::has_errors(problems) || !(ways.recorded_m > min_way_m)) return problems;
   const double ratio = ways.believed_m / ways.recorded_m;
   if (!(std::abs(ratio - 1.0) <= tolerated))
-    problems.push_back(navigation_problem(
-        !(ratio > 0.5 && ratio < 2.0), name, "the way of the navigation is not that of the recording",
-        fmt::format("{:.6g} m long", ways.believed_m), fmt::format("{:.6g} m within 1 %", ways.recorded_m), hint));
+    problems.push_back(navigation_problem(!(ratio > 0.5 && ratio < 2.0), name,
+                                          "the way of the navigation is not that of the recording")
+                           .found(fmt::format("{:.6g} m long", ways.believed_m))
+                           .expected(fmt::format("{:.6g} m within 1 %", ways.recorded_m)));
   const double angle_rad = std::acos(std::clamp(ways.cosine, -1.0, 1.0));
   if (angle_rad > tolerated_rad && ways.believed_m > 0.0)
-    problems.push_back(navigation_problem(
-        ways.cosine < 0.0, name, "the navigation flies in another direction than the recording",
-        fmt::format("{:.3g} deg off on the average", angle_rad * core::deg_per_rad), "within 1 deg", hint));
+    problems.push_back(
+        navigation_problem(ways.cosine < 0.0, name, "the navigation flies in another direction than the recording")
+            .found(fmt::format("{:.3g} deg off on the average", angle_rad * core::deg_per_rad))
+            .expected("within 1 deg"));
   return problems;
 }
 

@@ -26,11 +26,11 @@ std::size_t middle_sample(std::size_t samples) { return samples / 2; }
 
 [[noreturn]] void refuse_vector(const raster::CphdFile& file, std::size_t vector, const char* what,
                                 std::string found = {}, std::string expected = "finite numbers") {
-  core::Problem problem =
-      core::problem_of(core::Severity::error, fmt::format("vector {} (from 0) {}", vector, what), std::move(found),
-                       std::move(expected), "the file is damaged, or cut off and filled up");
-  problem.place.file = file.file().path().string();
-  throw core::InvalidRequest({std::move(problem)});
+  throw core::InvalidRequest({core::error(fmt::format("vector {} (from 0) {}", vector, what))
+                                  .found(std::move(found))
+                                  .expected(std::move(expected))
+                                  .hint("the file is damaged, or cut off and filled up")
+                                  .in(file.file().path().string())});
 }
 
 bool is_sound(const PhaseVector& v) {

@@ -98,32 +98,35 @@ signal::EchoRows rows_reading(const std::shared_ptr<const simulate::Acquisition>
 core::Problems problems_of_sar(const simulate::Acquisition& acquisition, bool recorded) {
   core::Problems problems;
   if (recorded && acquisition.reception.is_profile())
-    problems.push_back(core::problem_of(core::Severity::error, "synthetic range profiles cannot be focused",
-                                        "processing \"srp\"", "processing \"raw\" or \"matched-filter\"",
-                                        "focus a recording of chirps"));
+    problems.push_back(core::error("synthetic range profiles cannot be focused")
+                           .found("processing \"srp\"")
+                           .expected("processing \"raw\" or \"matched-filter\"")
+                           .hint("focus a recording of chirps"));
   if (acquisition.timing.pulses.count() < 2)
-    problems.push_back(core::problem_of(core::Severity::error, "too few pulses to focus",
-                                        fmt::format("{}", acquisition.timing.pulses.count()), "at least 2",
-                                        "record for longer"));
+    problems.push_back(core::error("too few pulses to focus")
+                           .found(fmt::format("{}", acquisition.timing.pulses.count()))
+                           .expected("at least 2")
+                           .hint("record for longer"));
   // A row anew holds all of the last echo.
   constexpr double max_samples = 0x1p31;
   const double samples = acquisition.reception.sample_rate_hz * acquisition.link.pulse.width_s;
   if (!recorded && !(samples <= max_samples))
-    problems.push_back(core::problem_of(
-        core::Severity::error, "the pulse is too long to be focused: a row has to hold a whole echo",
-        fmt::format("pulse_width {:g} s, {:.3g} samples", acquisition.link.pulse.width_s, samples),
-        fmt::format("at most {:.3g} s", max_samples / acquisition.reception.sample_rate_hz), "shorten the pulse"));
+    problems.push_back(
+        core::error("the pulse is too long to be focused: a row has to hold a whole echo")
+            .found(fmt::format("pulse_width {:g} s, {:.3g} samples", acquisition.link.pulse.width_s, samples))
+            .expected(fmt::format("at most {:.3g} s", max_samples / acquisition.reception.sample_rate_hz))
+            .hint("shorten the pulse"));
   const bool compressed = recorded && acquisition.reception.is_compressed();
   const bool even =
       !compressed || acquisition.reception.compressor->output_index().back() + 1 == acquisition.reception.columns;
   if (!even)
-    problems.push_back(core::problem_of(
-        core::Severity::error, "the classic profile repeats or leaves out samples of this compressed recording", "", "",
-        "focus raw data, or use the physical profile"));
+    problems.push_back(core::error("the classic profile repeats or leaves out samples of this compressed recording")
+                           .hint("focus raw data, or use the physical profile"));
   if (acquisition.scene->platforms[acquisition.link.platform].track.fixed())
-    problems.push_back(core::problem_of(core::Severity::error, "the antenna does not move",
-                                        acquisition.scene->platforms[acquisition.link.platform].name,
-                                        "a platform that follows a trajectory", "put the radar on one"));
+    problems.push_back(core::error("the antenna does not move")
+                           .found(acquisition.scene->platforms[acquisition.link.platform].name)
+                           .expected("a platform that follows a trajectory")
+                           .hint("put the radar on one"));
   return problems;
 }
 

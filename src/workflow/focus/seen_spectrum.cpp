@@ -96,11 +96,10 @@ core::Problems diagnose_grid(const signal::FocusedImage& coarse, const signal::F
   if (axes.azimuth.step_m < coarse.azimuth.step_m)
     text += (text.empty() ? "" : "; ") + text_of_axis("rows", coarse.azimuth, axes.azimuth, spectrum.azimuth);
   if (text.empty()) return {};
-  return {core::problem_of(core::Severity::note,
-                           "the image is sampled more finely than the recording, since squint, aperture and bandwidth "
-                           "widen its spectrum: " +
-                               text,
-                           {}, {}, {})};
+  return {core::note("focus.finer-grid",
+                     "the image is sampled more finely than the recording, since squint, aperture and bandwidth "
+                     "widen its spectrum: " +
+                         text)};
 }
 
 core::Problems diagnose_carriers(const signal::EchoRows& echoes, const signal::ImageSpectrum& spectrum) {
@@ -112,24 +111,24 @@ core::Problems diagnose_carriers(const signal::EchoRows& echoes, const signal::I
   double gap_hz = 0.0;
   for (std::size_t i = 1; i < carriers_hz.size(); ++i) gap_hz = std::max(gap_hz, carriers_hz[i] - carriers_hz[i - 1]);
   if (gap_hz > std::abs(echoes.waveform.bandwidth_hz))
-    problems.push_back(core::problem_of(
-        core::Severity::warning,
-        fmt::format(
-            "the carriers are up to {:.4g} MHz apart, more than the pulse's band: responses repeat every {:.4g} "
-            "m of range",
-            1e-6 * gap_hz, radar::range_of_cycle(gap_hz, echoes.waveform.light_speed_mps)),
-        {}, {}, "step by less than the bandwidth"));
+    problems.push_back(
+        core::warning("focus.carriers-far-apart",
+                      fmt::format("the carriers are up to {:.4g} MHz apart, more than the pulse's band: responses "
+                                  "repeat every {:.4g} m of range",
+                                  1e-6 * gap_hz, radar::range_of_cycle(gap_hz, echoes.waveform.light_speed_mps)))
+            .hint("step by less than the bandwidth"));
   const signal::StraightTrack track = signal::fit_straight(echoes.track);
   const double rate_hz = 1.0 / (track.interval_s * static_cast<double>(carriers_hz.size()));
   const double band_hz = spectrum.azimuth.width_per_m() * track.speed_mps;
   if (band_hz > rate_hz)
-    problems.push_back(core::problem_of(
-        core::Severity::warning,
-        fmt::format(
-            "each of {} carriers is sent {:.4g} times a second, but the targets' Doppler frequencies are {:.4g} Hz "
-            "wide: each carrier has ghosts, at azimuths that differ from carrier to carrier",
-            carriers_hz.size(), rate_hz, band_hz),
-        {}, {}, "send more pulses per second, or fewer carriers"));
+    problems.push_back(
+        core::warning(
+            "focus.carriers-too-seldom",
+            fmt::format(
+                "each of {} carriers is sent {:.4g} times a second, but the targets' Doppler frequencies are {:.4g} Hz "
+                "wide: each carrier has ghosts, at azimuths that differ from carrier to carrier",
+                carriers_hz.size(), rate_hz, band_hz))
+            .hint("send more pulses per second, or fewer carriers"));
   return problems;
 }
 

@@ -187,20 +187,23 @@ core::Problems diagnose_swath_loss(const simulate::Acquisition& acquisition, con
   const core::Severity severity = warns ? core::Severity::warning : core::Severity::note;
   const std::string expected = warns ? fmt::format("below {:.1f} dB and {:.2f} rad", max_loss_db, max_loss_rad) : "";
   if (options.method == signal::FocusMethod::omega_k)
-    return {core::problem_of(severity,
-                             fmt::format("omega-k loses {:.3g} dB of {}: the pulses alias a part of its Doppler "
-                                         "frequencies at the upper end of the band, or see it along the track",
-                                         lost_db(worst->loss.amplitude), name_of_target(*worst)),
-                             {}, expected, "use --algorithm back-projection, or send more pulses per second")};
+    return {core::ProblemBuilder(severity, "focus.omega-k-loss",
+                                 fmt::format("omega-k loses {:.3g} dB of {}: the pulses alias a part of its Doppler "
+                                             "frequencies at the upper end of the band, or see it along the track",
+                                             lost_db(worst->loss.amplitude), name_of_target(*worst)))
+                .expected(expected)
+                .hint("use --algorithm back-projection, or send more pulses per second")};
   const bool scaled = options.method == signal::FocusMethod::chirp_scaling;
-  return {core::problem_of(
-      severity,
-      fmt::format(
-          "{} compresses all ranges like the middle of the swath at {:.1f} m: {}, {:.1f} m off it, loses {:.3g} "
-          "dB, its phase is wrong by {:.3g} rad, and it is displaced by {:.2g} m in range",
-          scaled ? "chirp scaling" : "range-Doppler", worst->middle_m, name_of_target(*worst),
-          std::abs(loss.from_middle_m), lost_db(loss.amplitude), loss.phase_rad, std::abs(loss.shift.range_m)),
-      {}, expected, "use --algorithm omega-k, which compresses each range correctly")};
+  return {
+      core::ProblemBuilder(
+          severity, "focus.swath-loss",
+          fmt::format(
+              "{} compresses all ranges like the middle of the swath at {:.1f} m: {}, {:.1f} m off it, loses {:.3g} "
+              "dB, its phase is wrong by {:.3g} rad, and it is displaced by {:.2g} m in range",
+              scaled ? "chirp scaling" : "range-Doppler", worst->middle_m, name_of_target(*worst),
+              std::abs(loss.from_middle_m), lost_db(loss.amplitude), loss.phase_rad, std::abs(loss.shift.range_m)))
+          .expected(expected)
+          .hint("use --algorithm omega-k, which compresses each range correctly")};
 }
 
 core::Problems diagnose_area(const signal::EchoRows& echoes, const signal::FocusOptions& options) {
@@ -212,12 +215,12 @@ core::Problems diagnose_area(const signal::EchoRows& echoes, const signal::Focus
   const double high_m = track.speed_mps * track.time_s(static_cast<double>(echoes.track.size()) - 1.0) + far_m;
   const signal::AxisInterval& area = *options.azimuth_area;
   if (area.first_m <= high_m && area.last_m >= low_m) return {};
-  return {core::problem_of(
-      core::Severity::warning,
-      "the area in azimuth lies beyond all that the record holds echoes of: the image is empty",
-      fmt::format("{:.6g} to {:.6g} m", area.first_m, area.last_m),
-      fmt::format("a part of {:.6g} to {:.6g} m, the record and the farthest range on either side", low_m, high_m),
-      "give an --azimuth within it")};
+  return {core::warning("focus.area-without-echoes",
+                        "the area in azimuth lies beyond all that the record holds echoes of: the image is empty")
+              .found(fmt::format("{:.6g} to {:.6g} m", area.first_m, area.last_m))
+              .expected(fmt::format("a part of {:.6g} to {:.6g} m, the record and the farthest range on either side",
+                                    low_m, high_m))
+              .hint("give an --azimuth within it")};
 }
 
 }  // namespace sarsim::workflow

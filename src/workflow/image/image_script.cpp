@@ -132,12 +132,12 @@ std::vector<FoundFile> expected(std::vector<FoundFile> files, const std::string&
       fmt::format("bring back '{}' as it was, or name the script that the image was made from with --script", path));
 }
 
-core::Problem note_of(std::string text) { return core::problem_of(core::Severity::note, std::move(text), {}, {}, {}); }
+core::Problem note_of(std::string text) { return core::note(std::move(text)); }
 
 core::Problem warning_of_scene(const std::string& file, const fs::path& image) {
-  return core::problem_of(core::Severity::warning,
-                          fmt::format("the script is not the one that '{}' was made from", image.string()), file, {},
-                          "targets may be elsewhere: focus again, or name the script of that time with --script");
+  return core::warning(fmt::format("the script is not the one that '{}' was made from", image.string()))
+      .found(file)
+      .hint("targets may be elsewhere: focus again, or name the script of that time with --script");
 }
 
 // The recording with the samples that the header has the sum of.

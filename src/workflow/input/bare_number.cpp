@@ -42,11 +42,11 @@ std::optional<core::Problem> remark_on_bare_number(const scene::Scene& scene, co
   if (!is_suspicious(*given, *old, scene::script_shift(*field.field->spec))) return std::nullopt;
   std::string written = old_text;
   std::erase(written, ' ');
-  return core::problem_of(
-      core::Severity::warning,
-      fmt::format("--set {}: a number without a unit counts in {}", name + "=" + value.substr(0, 40), units[0]),
-      scene::quantity_text(*given, quantity), "a value near that of the script, " + old_text,
-      fmt::format("Write the unit, as in {}={}.", name, written));
+  return core::warning("set.no-unit", fmt::format("--set {}: a number without a unit counts in {}",
+                                                  name + "=" + value.substr(0, 40), units[0]))
+      .found(scene::quantity_text(*given, quantity))
+      .expected("a value near that of the script, " + old_text)
+      .hint(fmt::format("Write the unit, as in {}={}.", name, written));
 }
 
 }  // namespace sarsim::workflow

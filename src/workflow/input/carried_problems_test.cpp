@@ -6,7 +6,7 @@ namespace sarsim::workflow {
 namespace carried_problems_test {
 
 std::string found_of(const std::string& found) {
-  return without_quotes({core::problem_of(core::Severity::warning, "m", found, {}, {})}).front().found;
+  return without_quotes({core::warning("m").found(found)}).front().found;
 }
 
 TEST(CarriedProblems, KeepNumbersAndTheirUnits) {
@@ -19,9 +19,7 @@ TEST(CarriedProblems, LeaveNoWordsOfAFile) {
   EXPECT_EQ(found_of("hunter2"), "");
   EXPECT_EQ(found_of("alpha bravo"), "");
   EXPECT_EQ(found_of("1 alpha bravo 2"), "1 ... 2");
-  EXPECT_EQ(
-      without_quotes({core::problem_of(core::Severity::error, "x: 'alpha' is no 'bravo'", {}, {}, {})}).front().message,
-      "x: '...' is no '...'");
+  EXPECT_EQ(without_quotes({core::error("x: 'alpha' is no 'bravo'")}).front().message, "x: '...' is no '...'");
 }
 
 }  // namespace carried_problems_test

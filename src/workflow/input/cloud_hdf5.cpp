@@ -18,9 +18,9 @@ std::optional<TableFault> read_hdf5_points(const core::InputFile& file, PointTab
   taker.stop = control.stop;
   taker.begin = [&](std::uint64_t rows, std::uint64_t wide) -> std::optional<core::Problem> {
     if (wide < 3 || wide > 5)
-      return core::problem_of(core::Severity::error, "the dataset /points is not a table of points",
-                              fmt::format("({}, {})", rows, wide),
-                              "N rows and 3 or 4 columns: x, y, z and cross-section", {});
+      return core::error("the dataset /points is not a table of points")
+          .found(fmt::format("({}, {})", rows, wide))
+          .expected("N rows and 3 or 4 columns: x, y, z and cross-section");
     columns = wide;
     table.own_rcs = columns > 3;
     resize(table.arrays, static_cast<std::size_t>(rows), control);

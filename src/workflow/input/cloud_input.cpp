@@ -134,8 +134,10 @@ struct CloudReading {
 };
 
 core::Problem problem_of_file(const std::string& name, TableFault fault) {
-  return core::problem_of(core::Severity::error, fmt::format("{}: {}", name, fault.message), std::move(fault.found),
-                          std::move(fault.expected), std::move(fault.hint));
+  return core::error(fmt::format("{}: {}", name, fault.message))
+      .found(std::move(fault.found))
+      .expected(std::move(fault.expected))
+      .hint(std::move(fault.hint));
 }
 
 CloudReading read_file(const scene::Cloud& cloud, const scene::World& world, const fs::path& path,
@@ -166,10 +168,11 @@ CloudReading read_file(const scene::Cloud& cloud, const scene::World& world, con
     return reading;
   }
   if (found.negative > 0 && table.own_rcs)
-    reading.problems.push_back(core::problem_of(
-        core::Severity::warning, fmt::format("{}: cross-sections are negative, which counts as zero", name),
-        fmt::format("{} of {} points", found.negative, table.arrays.size()), "numbers above 0",
-        "They are in m2, not in dBsm; a text may name its column rcs_dbsm."));
+    reading.problems.push_back(
+        core::warning("cloud.negative-rcs", fmt::format("{}: cross-sections are negative, which counts as zero", name))
+            .found(fmt::format("{} of {} points", found.negative, table.arrays.size()))
+            .expected("numbers above 0")
+            .hint("They are in m2, not in dBsm; a text may name its column rcs_dbsm."));
   reading.points = std::make_shared<const scene::CloudPoints>(
       scene::CloudPoints{std::move(table.arrays), table.own_rcs, rcs_m2, found.min_m, found.max_m, name, found.sum,
                          table.geodetic ? std::optional(scene::anchor_of(world)) : std::nullopt});
@@ -209,10 +212,11 @@ core::Problems read_clouds(scene::Scene& scene, const fs::path& folder, const co
     const fs::path path = scene::data_file_on_disk(folder, cloud.file);
     CloudReading reading;
     if (path.empty()) {
-      reading.problems.push_back(core::problem_of(
-          core::Severity::error, "the file of the points is not there", cloud.file,
-          fmt::format("a file in '{}' or in the current folder", folder.empty() ? "." : folder.string()),
-          "Look at the name and the folder; file names are case-sensitive."));
+      reading.problems.push_back(
+          core::error("the file of the points is not there")
+              .found(cloud.file)
+              .expected(fmt::format("a file in '{}' or in the current folder", folder.empty() ? "." : folder.string()))
+              .hint("Look at the name and the folder; file names are case-sensitive."));
     } else {
       const auto [place, is_new] = known.try_emplace({cloud.file, cloud.rcs_m2, is_on_world(cloud)});
       if (is_new) place->second = read_file(cloud, scene.world, path, control);

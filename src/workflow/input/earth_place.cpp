@@ -18,10 +18,11 @@ namespace {
 
 [[noreturn]] void refuse_place(std::string message, std::string found) {
   throw core::InvalidRequest(
-      {core::problem_of(core::Severity::error, std::move(message), std::move(found),
-                        fmt::format("at most {:g} m below the ellipsoid, up to {:g} m from the centre",
-                                    -radar::deepest_place_m, radar::farthest_place_m),
-                        "heights count in m, positive upwards")});
+      {core::error(std::move(message))
+           .found(std::move(found))
+           .expected(fmt::format("at most {:g} m below the ellipsoid, up to {:g} m from the centre",
+                                 -radar::deepest_place_m, radar::farthest_place_m))
+           .hint("heights count in m, positive upwards")});
 }
 
 [[noreturn]] void refuse_deep(const std::string& what, double depth_m) {
@@ -75,9 +76,9 @@ EarthPlace earth_place(const scene::World& world, const std::optional<radar::Anc
   if (epoch.instant) return {*earth, *epoch.instant, {}};
   return {*earth,
           *radar::parse_instant(assumed_epoch, radar::TimeScale::utc).instant,
-          {core::problem_of(core::Severity::note,
-                            fmt::format("the scene has no epoch: {} is dated {} at time 0", format, assumed_epoch), {},
-                            {}, "say it in the scene, as [world] epoch = \"2024-04-01T22:59:42Z\"")}};
+          {core::note("epoch.assumed",
+                      fmt::format("the scene has no epoch: {} is dated {} at time 0", format, assumed_epoch))
+               .hint("say it in the scene, as [world] epoch = \"2024-04-01T22:59:42Z\"")}};
 }
 
 }  // namespace sarsim::workflow

@@ -1,7 +1,6 @@
 #include "workflow/input/function_tables.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <span>
 #include <utility>
 #include <vector>
@@ -82,7 +81,7 @@ core::Problems read_tables_of_targets(std::vector<scene::Target>& targets, const
       std::vector<scene::Target> one{targets[i]};
       core::Problems problems = read_tables_of(one, "target", loader, control);
       for (core::Problem& problem : problems) problem.subject.index = i;
-      std::ranges::move(problems, std::back_inserter(all));
+      core::append(all, std::move(problems));
       after = one.front().traits;
     }
     targets[i].traits = after;
@@ -101,11 +100,10 @@ scene::DataFileReading read_function_data(const scene::DataFileText& file, const
 core::Problems read_function_tables(scene::Scene& scene, const fs::path& folder, const core::WorkControl& control) {
   const scene::DataFileLoader loader = scene::disk_loader(folder);
   core::Problems all;
-  const auto add = [&](core::Problems problems) { std::ranges::move(problems, std::back_inserter(all)); };
-  add(read_tables_of(scene.platforms, "platform", loader, control));
-  add(read_tables_of(scene.radars, "radar", loader, control));
-  add(read_tables_of_targets(scene.targets, loader, control));
-  add(read_tables_of(scene.clouds, "cloud", loader, control));
+  core::append(all, read_tables_of(scene.platforms, "platform", loader, control));
+  core::append(all, read_tables_of(scene.radars, "radar", loader, control));
+  core::append(all, read_tables_of_targets(scene.targets, loader, control));
+  core::append(all, read_tables_of(scene.clouds, "cloud", loader, control));
   return all;
 }
 

@@ -73,7 +73,7 @@ class FolderSearch {
 };
 
 core::Problem harm(const fs::path& output, std::string message) {
-  return core::problem_of(core::Severity::error, std::move(message), output.string(), {}, {});
+  return core::error(std::move(message)).found(output.string());
 }
 
 // A scene's includes and data files; recording and script of an image.

@@ -20,9 +20,10 @@ using scene::Platform;
 
 core::Problem accuracy_problem(const std::string& file, std::string_view what, std::string found,
                                std::string expected) {
-  return core::problem_of(
-      core::Severity::warning, fmt::format("{}: {}", file, what), std::move(found), std::move(expected),
-      "take a file with closer or more exact samples: what is lost between them is part of all results");
+  return core::warning("motion-file.too-coarse", fmt::format("{}: {}", file, what))
+      .found(std::move(found))
+      .expected(std::move(expected))
+      .hint("take a file with closer or more exact samples: what is lost between them is part of all results");
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "workflow/input/motion_input.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -40,8 +38,9 @@ constexpr double max_turn_rad = 2.0 * core::pi / 3.0;
 std::optional<FileText> text_of_file(const std::string& name, const fs::path& folder, core::Problems& problems) {
   const scene::DataFileText data = scene::disk_loader(folder)(name);
   if (!data.failure.empty() || data.path.empty()) {
-    problems.push_back(path_problem("the file of the motion cannot be read", name, {},
-                                    data.failure.empty() ? "look at the name and the folder" : data.failure));
+    problems.push_back(core::error("the file of the motion cannot be read")
+                           .found(name)
+                           .hint(data.failure.empty() ? "look at the name and the folder" : data.failure));
     return std::nullopt;
   }
   return FileText{data.text, data.path};
@@ -57,13 +56,13 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
   const WorldAxes axes(scene.world);
   if (scene::orbit_format_of(file.text) != scene::OrbitFormat::aem)
     return refuse(
-        path_problem(fmt::format("{} is not an attitude file", platform.attitude_file), {}, "a CCSDS AEM (KVN)"));
+        core::error(fmt::format("{} is not an attitude file", platform.attitude_file)).expected("a CCSDS AEM (KVN)"));
   if (!axes.earth() || !axes.epoch())
-    return refuse(path_problem(fmt::format("the attitudes in {} need the Earth and an epoch", platform.attitude_file),
-                               {}, "[world] with frame = \"earth\", an anchor and an epoch"));
+    return refuse(core::error(fmt::format("the attitudes in {} need the Earth and an epoch", platform.attitude_file))
+                      .expected("[world] with frame = \"earth\", an anchor and an epoch"));
   scene::AttitudeReading reading = scene::read_attitude(file.text, file.path, {platform.satellite});
   const bool broken = core::has_errors(reading.problems);
-  std::ranges::move(reading.problems, std::back_inserter(problems));
+  core::append(problems, std::move(reading.problems));
   if (broken) return nullptr;
   const radar::TimeSpan needed = scene::needed_times(scene);
   std::vector<radar::TimeSpan> spans;
@@ -72,7 +71,7 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
     std::vector<double>& times_s = samples.time_s;
     for (const scene::AttitudeState& state : segment.states) {
       const auto read = radar::instant_of(state.time, reading.file.scale, axes.orientation().dut1_s);
-      if (!read.instant) return refuse(path_problem(fmt::format("{}: {}", platform.attitude_file, read.failure)));
+      if (!read.instant) return refuse(core::error(fmt::format("{}: {}", platform.attitude_file, read.failure)));
       times_s.push_back(radar::seconds_between(*axes.epoch(), *read.instant));
       samples.world_from_platform.push_back(
           radar::quaternion_of(axes.world_from(reading.file.reference, times_s.back()) *
@@ -88,30 +87,32 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
     spans.push_back(usable);
     if (usable.first_s > needed.first_s || usable.last_s < needed.last_s) continue;
     if (const auto gap = gap_within(times_s, needed))
-      return refuse(path_problem(fmt::format("the attitudes of {} have a gap", platform.attitude_file),
-                                 typed_times(*gap, axes), "attitudes evenly spaced over the recordings",
-                                 no_way_over_gaps));
+      return refuse(core::error(fmt::format("the attitudes of {} have a gap", platform.attitude_file))
+                        .found(typed_times(*gap, axes))
+                        .expected("attitudes evenly spaced over the recordings")
+                        .hint(no_way_over_gaps));
     auto read = std::make_shared<scene::ReadAttitude>();
     read->usable = usable;
     const auto turn = scene::largest_turn(samples, needed);
     if (turn && turn->step > max_turn_rad)
-      return refuse(path_problem(
-          fmt::format("{}: an attitude is turned too far from the one before it", platform.attitude_file),
-          fmt::format("{:.4g} deg within {:.6g} s from {:.6g} s on", turn->step * core::deg_per_rad, turn->spacing_s,
-                      turn->at_s),
-          fmt::format("at most {:g} deg", max_turn_rad * core::deg_per_rad),
-          "which way it turns is not known: take a file with closer attitudes, and look at the order of its numbers"));
+      return refuse(
+          core::error(fmt::format("{}: an attitude is turned too far from the one before it", platform.attitude_file))
+              .found(fmt::format("{:.4g} deg within {:.6g} s from {:.6g} s on", turn->step * core::deg_per_rad,
+                                 turn->spacing_s, turn->at_s))
+              .expected(fmt::format("at most {:g} deg", max_turn_rad * core::deg_per_rad))
+              .hint("which way it turns is not known: take a file with closer attitudes, and look at the order of its "
+                    "numbers"));
     // Elsewhere it says that something is wrong with the file.
     const auto elsewhere = scene::largest_turn(samples, {times_s.front(), times_s.back()});
     if (elsewhere && elsewhere->step > max_turn_rad) {
-      core::Problem jump = core::problem_of(
-          core::Severity::warning,
-          fmt::format("{}: an attitude beside the recordings is turned far from the one before it",
-                      platform.attitude_file),
-          fmt::format("{:.4g} deg within {:.6g} s from {:.6g} s on", elsewhere->step * core::deg_per_rad,
-                      elsewhere->spacing_s, elsewhere->at_s),
-          fmt::format("at most {:g} deg", max_turn_rad * core::deg_per_rad), "look at the order of its numbers");
-      problems.push_back(std::move(jump));
+      problems.push_back(
+          core::warning("motion-file.turn",
+                        fmt::format("{}: an attitude beside the recordings is turned far from the one before it",
+                                    platform.attitude_file))
+              .found(fmt::format("{:.4g} deg within {:.6g} s from {:.6g} s on", elsewhere->step * core::deg_per_rad,
+                                 elsewhere->spacing_s, elsewhere->at_s))
+              .expected(fmt::format("at most {:g} deg", max_turn_rad * core::deg_per_rad))
+              .hint("look at the order of its numbers"));
     }
     if (const auto accuracy = scene::accuracy_between(samples, needed))
       read->accuracy = {accuracy->error, accuracy->at_s, accuracy->spacing_s};
@@ -124,9 +125,10 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
   const radar::TimeSpan all{spans.front().first_s, spans.back().last_s};
   const std::string who = one ? platform.attitude_file : fmt::format("no segment of {}", platform.attitude_file);
   return refuse(
-      path_problem(fmt::format("{} {} the recordings", who, one ? "does not cover" : "covers"),
-                   one ? typed_times(all, axes) : fmt::format("{} segments, {}", spans.size(), typed_times(all, axes)),
-                   typed_times(needed, axes), "change the epoch or the times of the recordings, or take another file"));
+      core::error(fmt::format("{} {} the recordings", who, one ? "does not cover" : "covers"))
+          .found(one ? typed_times(all, axes) : fmt::format("{} segments, {}", spans.size(), typed_times(all, axes)))
+          .expected(typed_times(needed, axes))
+          .hint("change the epoch or the times of the recordings, or take another file"));
 }
 
 std::string world_key(const scene::Scene& scene) {
@@ -209,10 +211,10 @@ core::Problems read_motions(scene::Scene& scene, const fs::path& folder) {
     Platform& platform = scene.platforms[i];
     core::Problems of_path, of_attitude;
     read_path(scene, platform, folder, of_path);
-    std::ranges::move(problems_between_states(scene, i), std::back_inserter(of_path));
+    core::append(of_path, problems_between_states(scene, i));
     add(std::move(of_path), platform.path == Platform::Path::ephemeris ? "ephemeris_file" : "path");
     read_attitude(scene, platform, folder, of_attitude);
-    std::ranges::move(problems_between_attitudes(scene, i), std::back_inserter(of_attitude));
+    core::append(of_attitude, problems_between_attitudes(scene, i));
     add(std::move(of_attitude), "attitude_file");
   }
   return all;
@@ -220,8 +222,8 @@ core::Problems read_motions(scene::Scene& scene, const fs::path& folder) {
 
 core::Problems read_files_of(scene::Scene& scene, const fs::path& folder, const core::WorkControl& control) {
   core::Problems problems = read_clouds(scene, folder, control);
-  std::ranges::move(read_motions(scene, folder), std::back_inserter(problems));
-  std::ranges::move(read_function_tables(scene, folder, control), std::back_inserter(problems));
+  core::append(problems, read_motions(scene, folder));
+  core::append(problems, read_function_tables(scene, folder, control));
   return problems;
 }
 

@@ -1,7 +1,6 @@
 #include "workflow/input/output_names.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -35,7 +34,8 @@ class Namer {
   fs::path place(const std::string& name, const core::Subject& subject, std::optional<scene::FileFormat> format) {
     const std::string base = base_name(name);
     if (base.empty() || base == "." || base == "..") {
-      add(core::Severity::error, subject, "the output has no file name", name, "a name such as out.asc", "");
+      problems_.push_back(
+          core::error("the output has no file name").found(name).expected("a name such as out.asc").at(subject));
       return {};
     }
     fs::path path = base;
@@ -44,8 +44,11 @@ class Namer {
       std::ranges::replace(kept, '\\', '/');
       path = kept;
       if (leads_out(path)) {
-        add(core::Severity::error, subject, "the output's name leads out of the folder of the run", name,
-            "a name below that folder", "write the name without a slash at its beginning and without ..");
+        problems_.push_back(core::error("the output's name leads out of the folder of the run")
+                                .found(name)
+                                .expected("a name below that folder")
+                                .hint("write the name without a slash at its beginning and without ..")
+                                .at(subject));
         return {};
       }
     }
@@ -60,12 +63,6 @@ class Namer {
  private:
   static bool leads_out(const fs::path& name) {
     return name.is_absolute() || name.lexically_normal().begin()->string() == "..";
-  }
-
-  void add(core::Severity severity, const core::Subject& subject, std::string message, std::string found,
-           std::string expected, std::string hint) {
-    problems_.push_back(
-        {severity, std::move(message), std::move(found), std::move(expected), std::move(hint), {}, subject, 1});
   }
 
   // Takes all files that a product of this name becomes, unless one of them is that of another product.
@@ -84,10 +81,12 @@ class Namer {
     for (; !take(result, format); ++number)
       result.replace_filename(fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string()));
     if (result != path && !told)
-      add(core::Severity::warning, subject,
-          fmt::format("another product of the scene is written to '{}'; this one becomes '{}'",
-                      path.filename().string(), result.filename().string()),
-          "", "", "give each product a name of its own");
+      problems_.push_back(
+          core::warning("output.name-taken",
+                        fmt::format("another product of the scene is written to '{}'; this one becomes '{}'",
+                                    path.filename().string(), result.filename().string()))
+              .hint("give each product a name of its own")
+              .at(subject));
     return result;
   }
 
@@ -128,12 +127,11 @@ core::Problems problems_of_header(const fs::path& path, const std::vector<fs::pa
     const bool replaced =
         std::ranges::any_of(outputs, [&](const fs::path& output) { return file_place(output) == file_place(image); });
     if (replaced) continue;
-    core::Problem problem;
-    problem.message = fmt::format(
-        "the header of the image '{}' would be replaced; without it, the image cannot be read", image.string());
-    problem.found = path.string();
-    problem.hint = "give the output a name that differs before its ending, too";
-    problems.push_back(std::move(problem));
+    problems.push_back(
+        core::error(fmt::format("the header of the image '{}' would be replaced; without it, the image cannot be read",
+                                image.string()))
+            .found(path.string())
+            .hint("give the output a name that differs before its ending, too"));
   }
   return problems;
 }
@@ -199,8 +197,8 @@ void expect_free_outputs(const std::vector<fs::path>& paths, const OutputCare& c
   core::Problems problems;
   std::map<fs::path, fs::path> taken;  // File, and the output that is it.
   for (const fs::path& path : paths) {
-    std::ranges::move(problems_of_output(path, care), std::back_inserter(problems));
-    std::ranges::move(problems_of_header(path, paths), std::back_inserter(problems));
+    core::append(problems, problems_of_output(path, care));
+    core::append(problems, problems_of_header(path, paths));
     const auto [known, is_new] = taken.emplace(file_place(path), path);
     if (is_new) continue;
     problems.push_back({});
@@ -224,11 +222,9 @@ void expect_free_outputs(const std::vector<fs::path>& paths, const fs::path& sou
 core::Problems problems_of_output(const fs::path& path, const OutputCare& care) {
   std::error_code ignored;
   if (!care.folder.empty() && is_linked_out_of(care.folder, path)) {
-    core::Problem problem;
-    problem.message = fmt::format("a symbolic link leads this output out of the folder '{}'", care.folder.string());
-    problem.found = path.string();
-    problem.hint = "remove the link, or choose with --out the folder that it leads to";
-    return {problem};
+    return {core::error(fmt::format("a symbolic link leads this output out of the folder '{}'", care.folder.string()))
+                .found(path.string())
+                .hint("remove the link, or choose with --out the folder that it leads to")};
   }
   const std::string another =
       care.option.empty() ? "give the output another name, or another folder with --out" : another_file(care.option);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 #include <variant>
@@ -63,9 +62,9 @@ class PathMaker {
       case scene::OrbitFormat::aem:
       case scene::OrbitFormat::other_ndm:
       case scene::OrbitFormat::unknown:
-        return refuse(path_problem(fmt::format("{} is not an orbit file", platform_.ephemeris_file),
-                                   scene::what_is_no_orbit(file.text, format),
-                                   "Sentinel-1 EOF, CCSDS OEM, SP3, a table t, x, y, z, TLE or OMM"));
+        return refuse(core::error(fmt::format("{} is not an orbit file", platform_.ephemeris_file))
+                          .found(scene::what_is_no_orbit(file.text, format))
+                          .expected("Sentinel-1 EOF, CCSDS OEM, SP3, a table t, x, y, z, TLE or OMM"));
       default: return of_states(file, format);
     }
   }
@@ -77,9 +76,10 @@ class PathMaker {
     if (!elements) return nullptr;  // `check` says it.
     const double perigee_m = platform_.semi_major_axis_m * (1.0 - platform_.eccentricity);
     if (!(perigee_m > radar::wgs84_semi_major_m))
-      return refuse(path_problem("the perigee of the orbit is inside the Earth",
-                                 fmt::format("{:.1f} km from the centre", 1e-3 * perigee_m), "more than 6378.137 km",
-                                 "change semi_major_axis or eccentricity"));
+      return refuse(core::error("the perigee of the orbit is inside the Earth")
+                        .found(fmt::format("{:.1f} km from the centre", 1e-3 * perigee_m))
+                        .expected("more than 6378.137 km")
+                        .hint("change semi_major_axis or eccentricity"));
     const radar::SecularOrbit orbit(*elements);
     radar::StateSamples samples;
     for (const double time_s : computed_times()) {
@@ -95,14 +95,16 @@ class PathMaker {
     const radar::OrbitState start = scene::inertial_state_of(platform_);
     if (!std::isfinite(core::norm(start.position_m) + core::norm(start.velocity_mps))) return nullptr;  // `check`
     if (height_of(start.position_m) < 0.0)
-      return refuse(path_problem("the state of the orbit is inside the Earth", typed_height(start.position_m),
-                                 "a position outside it", "it counts from the centre of the Earth"));
+      return refuse(core::error("the state of the orbit is inside the Earth")
+                        .found(typed_height(start.position_m))
+                        .expected("a position outside it")
+                        .hint("it counts from the centre of the Earth"));
     const double farthest_s = std::max(std::abs(needed_.first_s), std::abs(needed_.last_s));
     if (farthest_s > farthest_from_state_s)
-      return refuse(path_problem("the recordings are too far from the state of the orbit",
-                                 fmt::format("{:.0f} s from time 0", farthest_s),
-                                 fmt::format("at most {:.0f} s, 10 days", farthest_from_state_s),
-                                 "by then drag, Sun and Moon have led elsewhere: take a file, or another epoch"));
+      return refuse(core::error("the recordings are too far from the state of the orbit")
+                        .found(fmt::format("{:.0f} s from time 0", farthest_s))
+                        .expected(fmt::format("at most {:.0f} s, 10 days", farthest_from_state_s))
+                        .hint("by then drag, Sun and Moon have led elsewhere: take a file, or another epoch"));
     const std::vector<double> times_s = computed_times();
     const std::vector<radar::OrbitState> states = radar::states_under_j2(start, times_s);
     radar::StateSamples samples;
@@ -110,9 +112,10 @@ class PathMaker {
       const radar::StateVector state = over_earth(states[i], times_s[i]);
       const bool needed = times_s[i] >= needed_.first_s && times_s[i] <= needed_.last_s;
       if (needed && height_of(state.position_m) < 0.0)
-        return refuse(path_problem("the orbit meets the ground within the recordings",
-                                   fmt::format("{} at {:.0f} s", typed_height(state.position_m), times_s[i]),
-                                   "a state that stays outside the Earth", counts_over_earth));
+        return refuse(core::error("the orbit meets the ground within the recordings")
+                          .found(fmt::format("{} at {:.0f} s", typed_height(state.position_m), times_s[i]))
+                          .expected("a state that stays outside the Earth")
+                          .hint(counts_over_earth));
       add(samples, times_s[i], axes_.from_ecef(state), true);
     }
     const auto ellipse = radar::osculating_elements(start);
@@ -142,10 +145,11 @@ class PathMaker {
 
   void warn_of_ellipse(const std::optional<radar::KeplerElements>& ellipse) {
     const auto warn = [&](std::string message, std::string found, std::string expected) {
-      core::Problem problem = core::problem_of(core::Severity::warning, std::move(message), std::move(found),
-                                               std::move(expected), counts_over_earth);
-      problem.subject.field = "state_velocity_mps";
-      problems_.push_back(std::move(problem));
+      problems_.push_back(core::warning("orbit.implausible-state", std::move(message))
+                              .found(std::move(found))
+                              .expected(std::move(expected))
+                              .hint(counts_over_earth)
+                              .at("", 0, "state_velocity_mps"));
     };
     if (!ellipse)
       warn("the state belongs to no orbit: it leaves the Earth or falls straight down",
@@ -169,8 +173,8 @@ class PathMaker {
   }
 
   static core::Problem no_earth(std::string_view what) {
-    return path_problem(fmt::format("{} needs the Earth, but the world is flat", what), {},
-                        "[world] with frame = \"earth\" and an anchor");
+    return core::error(fmt::format("{} needs the Earth, but the world is flat", what))
+        .expected("[world] with frame = \"earth\" and an anchor");
   }
 
   static void add(radar::StateSamples& samples, double time_s, const radar::StateVector& state, bool with_velocity) {
@@ -208,13 +212,16 @@ class PathMaker {
     path->usable = {std::max(usable.first_s, covered.first_s), std::min(usable.last_s, covered.last_s)};
     path->description = std::move(description);
     if (const auto gap = gap_in(path->states->spans()))
-      return refuse(path_problem(fmt::format("the states of {} have a gap", platform_.ephemeris_file), said(*gap),
-                                 "states evenly spaced over the recordings", no_way_over_gaps));
+      return refuse(core::error(fmt::format("the states of {} have a gap", platform_.ephemeris_file))
+                        .found(said(*gap))
+                        .expected("states evenly spaced over the recordings")
+                        .hint(no_way_over_gaps));
     if (needed_.last_s > needed_.first_s &&
         (path->usable.first_s > needed_.first_s || path->usable.last_s < needed_.last_s))
-      return refuse(path_problem(fmt::format("{} does not cover the recordings", platform_.ephemeris_file),
-                                 said(path->usable), said(needed_),
-                                 "change the epoch or the times of the recordings, or take another file"));
+      return refuse(core::error(fmt::format("{} does not cover the recordings", platform_.ephemeris_file))
+                        .found(said(path->usable))
+                        .expected(said(needed_))
+                        .hint("change the epoch or the times of the recordings, or take another file"));
     return path;
   }
 
@@ -231,9 +238,9 @@ class PathMaker {
 
   bool expect_epoch(std::string_view first) {
     if (axes_.epoch()) return true;
-    problems_.push_back(path_problem(fmt::format("{} has dates, but the scene has no epoch", platform_.ephemeris_file),
-                                     {}, "[world] with epoch = the UTC of time 0",
-                                     first.empty() ? std::string() : fmt::format("the file begins at {}", first)));
+    problems_.push_back(core::error(fmt::format("{} has dates, but the scene has no epoch", platform_.ephemeris_file))
+                            .expected("[world] with epoch = the UTC of time 0")
+                            .hint(first.empty() ? std::string() : fmt::format("the file begins at {}", first)));
     return false;
   }
 
@@ -241,7 +248,7 @@ class PathMaker {
     scene::EphemerisReading reading =
         scene::read_ephemeris(file.text, file.path, {platform_.satellite, !axes_.earth()});
     const bool broken = core::has_errors(reading.problems);
-    std::ranges::move(reading.problems, std::back_inserter(problems_));
+    core::append(problems_, std::move(reading.problems));
     if (broken) return nullptr;
     const scene::EphemerisFile& states = reading.file;
     const bool is_table = format == scene::OrbitFormat::csv;
@@ -261,20 +268,23 @@ class PathMaker {
       return of_segment(segment, *span, states, format);
     }
     const radar::TimeSpan all{spans.front().first_s, spans.back().last_s};
-    return refuse(path_problem(
-        fmt::format("no segment of {} covers the recordings", platform_.ephemeris_file),
-        fmt::format("{} segments, {}", spans.size(), said(all)), said(needed_),
-        "nothing may be interpolated from one segment to the next; change the epoch or the times of the recordings"));
+    return refuse(core::error(fmt::format("no segment of {} covers the recordings", platform_.ephemeris_file))
+                      .found(fmt::format("{} segments, {}", spans.size(), said(all)))
+                      .expected(said(needed_))
+                      .hint("nothing may be interpolated from one segment to the next; change the epoch or the times "
+                            "of the recordings"));
   }
 
   // The satellite also chooses among those of a file of attitudes.
   void warn_of_satellite(scene::OrbitFormat format) {
     const bool holds_one = format == scene::OrbitFormat::csv || format == scene::OrbitFormat::eof;
     if (platform_.satellite.empty() || !holds_one || platform_.rotation_kind == Platform::Rotation::quaternions) return;
-    core::Problem problem = core::problem_of(
-        core::Severity::warning,
-        fmt::format("{} holds one path, and the satellite is not looked for", platform_.ephemeris_file),
-        platform_.satellite, "no satellite beside a Sentinel-1 EOF or a CSV table", "remove satellite");
+    core::Problem problem =
+        core::warning("motion-file.needless-satellite",
+                      fmt::format("{} holds one path, and the satellite is not looked for", platform_.ephemeris_file))
+            .found(platform_.satellite)
+            .expected("no satellite beside a Sentinel-1 EOF or a CSV table")
+            .hint("remove satellite");
     problem.subject.field = "satellite";
     problems_.push_back(std::move(problem));
   }
@@ -282,7 +292,7 @@ class PathMaker {
   std::optional<double> time_of(const radar::CivilTime& time, radar::TimeScale scale) {
     radar::InstantReading read = radar::instant_of(time, scale, axes_.orientation().dut1_s);
     if (read.instant) return radar::seconds_between(*axes_.epoch(), *read.instant);
-    problems_.push_back(path_problem(fmt::format("{}: {}", platform_.ephemeris_file, read.failure)));
+    problems_.push_back(core::error(fmt::format("{}: {}", platform_.ephemeris_file, read.failure)));
     return std::nullopt;
   }
 
@@ -302,8 +312,8 @@ class PathMaker {
         segment.states, [](const scene::EphemerisState& state) { return state.velocity_mps.has_value(); });
     const radar::StateInterpolation interpolation = interpolation_of(platform_, with_velocities);
     if (interpolation.use_velocities && !with_velocities)
-      return refuse(path_problem(fmt::format("{} has no velocities", platform_.ephemeris_file), {}, {},
-                                 "write interpolation = \"lagrange\""));
+      return refuse(core::error(fmt::format("{} has no velocities", platform_.ephemeris_file))
+                        .hint("write interpolation = \"lagrange\""));
     radar::StateSamples samples;
     for (const scene::EphemerisState& state : segment.states) {
       std::optional<double> time_s = state.since_epoch_s;
@@ -319,10 +329,11 @@ class PathMaker {
     const auto accuracy = path ? scene::accuracy_between(samples, interpolation, needed_) : std::nullopt;
     if (!accuracy) return path;
     if (accuracy->error > max_error_m)
-      return refuse(path_problem(fmt::format("{}: between its states the path is not known", platform_.ephemeris_file),
-                                 fmt::format("about {:.3g} km off near {:.6g} s, with a state every {:.6g} s",
-                                             1e-3 * accuracy->error, accuracy->at_s, accuracy->spacing_s),
-                                 fmt::format("at most {:g} km", 1e-3 * max_error_m), "take a file with closer states"));
+      return refuse(core::error(fmt::format("{}: between its states the path is not known", platform_.ephemeris_file))
+                        .found(fmt::format("about {:.3g} km off near {:.6g} s, with a state every {:.6g} s",
+                                           1e-3 * accuracy->error, accuracy->at_s, accuracy->spacing_s))
+                        .expected(fmt::format("at most {:g} km", 1e-3 * max_error_m))
+                        .hint("take a file with closer states"));
     auto known = std::make_shared<scene::ReadPath>(*path);
     known->accuracy = {accuracy->error, accuracy->at_s, accuracy->spacing_s};
     return known;
@@ -342,11 +353,10 @@ class PathMaker {
           2.0 * core::pi * std::sqrt(radius_m * radius_m * radius_m / radar::EarthGravity{}.mu_m3_per_s2);
       const double step_s = samples.time_s[i] - samples.time_s[i - 1];
       if (step_s * states_per_turn <= turn_s) continue;
-      return path_problem(
-          fmt::format("{}: its states are too far apart to tell the orbit", platform_.ephemeris_file),
-          fmt::format("a state every {:.6g} s, at a height where a turn takes {:.4g} s", step_s, turn_s),
-          fmt::format("at most {:.4g} s, a third of a turn", turn_s / states_per_turn),
-          "take a file with closer states");
+      return core::error(fmt::format("{}: its states are too far apart to tell the orbit", platform_.ephemeris_file))
+          .found(fmt::format("a state every {:.6g} s, at a height where a turn takes {:.4g} s", step_s, turn_s))
+          .expected(fmt::format("at most {:.4g} s, a third of a turn", turn_s / states_per_turn))
+          .hint("take a file with closer states");
     }
     return std::nullopt;
   }
@@ -364,7 +374,7 @@ class PathMaker {
     if (!axes_.earth()) return refuse(no_earth(fmt::format("the orbit in {}", platform_.ephemeris_file)));
     scene::MeanElementsReading reading = scene::read_mean_elements(file.text, file.path, {platform_.satellite});
     const bool broken = core::has_errors(reading.problems);
-    std::ranges::move(reading.problems, std::back_inserter(problems_));
+    core::append(problems_, std::move(reading.problems));
     if (broken) return nullptr;
     if (!expect_epoch(radar::format_civil(reading.file.sets.front().epoch))) return nullptr;
     const scene::ElementSet& set = nearest(reading.file.sets, *axes_.epoch());
@@ -380,10 +390,12 @@ class PathMaker {
     constexpr double usual_days = 7.0;
     const double age_days = std::max(std::abs(needed_.first_s - *at_s), std::abs(needed_.last_s - *at_s)) / day_s;
     if (age_days > usual_days)
-      problems_.push_back(core::problem_of(
-          core::Severity::warning, fmt::format("{}: the mean elements are old", platform_.ephemeris_file),
-          fmt::format("{:.1f} days from their epoch {}", age_days, radar::format_civil(set.epoch)),
-          fmt::format("at most {:g} days", usual_days), "SGP4 is off by some km each day"));
+      problems_.push_back(
+          core::warning("motion-file.old-elements",
+                        fmt::format("{}: the mean elements are old", platform_.ephemeris_file))
+              .found(fmt::format("{:.1f} days from their epoch {}", age_days, radar::format_civil(set.epoch)))
+              .expected(fmt::format("at most {:g} days", usual_days))
+              .hint("SGP4 is off by some km each day"));
     radar::StateSamples samples;
     for (const double time_s : computed_times()) {
       const auto state = std::get<radar::Sgp4>(theory).state_at(time_s - *at_s);
@@ -402,11 +414,6 @@ class PathMaker {
 };
 
 }  // namespace
-
-core::Problem path_problem(std::string message, std::string found, std::string expected, std::string hint) {
-  return core::problem_of(core::Severity::error, std::move(message), std::move(found), std::move(expected),
-                          std::move(hint));
-}
 
 std::string typed_times(const radar::TimeSpan& span, const WorldAxes& axes) {
   if (!axes.epoch()) return fmt::format("{:.3f} s to {:.3f} s", span.first_s, span.last_s);

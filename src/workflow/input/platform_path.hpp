@@ -19,10 +19,6 @@ struct FileText {
   std::string path;
 };
 
-/// An error about the motion of a platform.
-[[nodiscard]] core::Problem path_problem(std::string message, std::string found = {}, std::string expected = {},
-                                         std::string hint = {});
-
 /// Times of the scene, as seconds and, where there is an epoch, as dates.
 [[nodiscard]] std::string typed_times(const radar::TimeSpan& span, const WorldAxes& axes);
 

@@ -40,8 +40,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void take(core::Problems& all, core::Problems more) { std::ranges::move(more, std::back_inserter(all)); }
-
 void expect_sound(core::Problems problems) {
   if (core::has_errors(problems)) throw core::InvalidRequest(core::ranked(std::move(problems)));
 }
@@ -85,7 +83,7 @@ scene::Scene scene_of_script(const RecordingArguments& arguments, StoredRecordin
                              const core::WorkControl& control) {
   SceneInput input = read_scene(arguments.script, arguments.overrides, CheckLevel::values, control);
   expect_usable(input);
-  take(recording.problems, std::move(input.problems));
+  core::append(recording.problems, std::move(input.problems));
   recording.of_files = std::move(input.of_files);
   std::ranges::move(input.sources, std::back_inserter(recording.sources));
   return std::move(input.scene);
@@ -103,7 +101,7 @@ scene::Scene scene_in_file(const std::string& path, const raster::RasterInfo& in
   core::Problems of_clouds = without_quotes(read_files_of(reading.scene, fs::path(path).parent_path(), control));
   expect_sound(of_clouds);
   recording.of_files = of_clouds;
-  take(recording.problems, std::move(of_clouds));
+  core::append(recording.problems, std::move(of_clouds));
   expect_sound(scene::check(reading.scene));
   std::ranges::move(data_files_of(reading.scene, fs::path(path).parent_path()), std::back_inserter(recording.sources));
   return std::move(reading.scene);
@@ -143,7 +141,7 @@ OpenedFile opened(const std::string& path, const raster::RasterHints& hints, cor
   const raster::RasterInfo& info = result.raster->info();
   if (!raster::attribute_of(info.attributes, "image_plane").empty()) refuse_image(path, "field image_plane");
   if (info.format == &raster::sicd_format()) refuse_image(path, "format SICD");
-  take(problems, std::move(result.problems));
+  core::append(problems, std::move(result.problems));
   return {result.raster, result.axes ? std::move(result.axes) : result.raster->axes()};
 }
 
@@ -188,11 +186,12 @@ class Comparison {
 
  private:
   void remark(const std::string& what, std::string found, std::string expected) {
-    core::Problem problem = core::problem_of(
-        core::Severity::warning, fmt::format("{} of the file is not that of its script, which counts", what),
-        std::move(found), std::move(expected), "name the script that wrote it with --script");
-    problem.place.file = file_.info().path.string();
-    problems_.push_back(std::move(problem));
+    problems_.push_back(core::warning("recording.not-of-script",
+                                      fmt::format("{} of the file is not that of its script, which counts", what))
+                            .found(std::move(found))
+                            .expected(std::move(expected))
+                            .hint("name the script that wrote it with --script")
+                            .in(file_.info().path.string()));
   }
 
   static bool differ(double found, double expected, double step) {
@@ -234,11 +233,11 @@ class Comparison {
     const std::string found = raster::attribute_of(file_.info().attributes, "processing");
     const std::string expected = raster::attribute_word(product_.processing);
     if (found.empty() || found == expected) return;
-    core::Problem problem =
-        core::problem_of(core::Severity::error, "processing of the file is not that of its script",
-                         core::quoted_word(found), expected, "give the scene that wrote it with --script");
-    problem.place.file = file_.info().path.string();
-    throw core::InvalidRequest({std::move(problem)});
+    throw core::InvalidRequest({core::error("processing of the file is not that of its script")
+                                    .found(core::quoted_word(found))
+                                    .expected(expected)
+                                    .hint("give the scene that wrote it with --script")
+                                    .in(file_.info().path.string())});
   }
 
   // To a thousandth of a wavelength, which is what focusing needs, and what rounding leaves of large numbers.
@@ -283,11 +282,9 @@ double scale_of(const raster::RasterInfo& info, const simulate::Acquisition& acq
   if (!info.counts) return 1.0;
   if (info.lsb_v && *info.lsb_v > 0.0) return *info.lsb_v;
   if (acquisition.simulation.lsb_v > 0.0) return acquisition.simulation.lsb_v;
-  core::Problem problem;
-  problem.severity = core::Severity::warning;
-  problem.message = "the volts of a count are not known: amplitudes are in counts";
-  problem.hint = "give the LSB in the script";
-  problems.push_back(problem);
+  problems.push_back(
+      core::warning("recording.unknown-lsb", "the volts of a count are not known: amplitudes are in counts")
+          .hint("give the LSB in the script"));
   return 1.0;
 }
 
@@ -324,7 +321,7 @@ StoredRecording held_recording(const RecordingArguments& arguments, const Suits&
   recording.simulation = simulation_of_scene(recording.scene, arguments.path, arguments.simulation, suits);
   recording.acquisition = std::make_shared<const simulate::Acquisition>(
       simulate::acquisition_of(recording.scene, recording.simulation, nullptr, stop));
-  take(recording.problems, problems_of(*recording.acquisition));
+  core::append(recording.problems, problems_of(*recording.acquisition));
   expect_sound(recording.problems);
   const core::SampleRows<double>& rows = *arguments.held->rows;
   if (rows.rows != recording.acquisition->timing.rows || rows.columns != recording.acquisition->reception.columns)
@@ -358,11 +355,11 @@ bool begins_like_script(const std::string& path) {
 scene::ScriptReading read_carried_script(const std::string& script, const std::string& path) {
   const std::string name = path + " (its script)";
   if (scene::language::includes_files(script)) {
-    core::Problem problem = core::problem_of(
-        core::Severity::error, "the script in the file includes other files", {}, "a script that is complete",
-        "record it again: what is recorded holds all that was included; or give its scene with --script");
-    problem.place.file = name;
-    throw core::InvalidRequest({std::move(problem)});
+    throw core::InvalidRequest(
+        {core::error("the script in the file includes other files")
+             .expected("a script that is complete")
+             .hint("record it again: what is recorded holds all that was included; or give its scene with --script")
+             .in(name)});
   }
   scene::ScriptReading reading = scene::read_scene_text(script, name, scene::disk_loader(fs::path(path).parent_path()));
   for (core::Problem& problem : reading.problems)
@@ -444,7 +441,7 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
   recording.simulation = simulation_of_file(recording.scene, arguments, suits);
   recording.acquisition = std::make_shared<const simulate::Acquisition>(
       simulate::acquisition_of(recording.scene, recording.simulation, nullptr, control.stop));
-  take(recording.problems, problems_of(*recording.acquisition));
+  core::append(recording.problems, problems_of(*recording.acquisition));
   expect_sound(recording.problems);
   if (!file.raster) {
     raster::RasterHints hints = hints_of(*recording.acquisition);

@@ -11,14 +11,12 @@
 #include "core/report/invalid_request.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/check/check.hpp"
-#include "scene/check/check_motion.hpp"
 #include "scene/edit/data_functions.hpp"
 #include "scene/language/scene_reader.hpp"
 #include "scene/language/words.hpp"
 #include "scene/model/cloud_points.hpp"
 #include "scene/model/scene_index.hpp"
 #include "scene/schema/field_names.hpp"
-#include "simulate/survey/ambiguity.hpp"
 #include "simulate/survey/survey.hpp"
 #include "simulate/survey/table_rules.hpp"
 #include "workflow/input/bare_number.hpp"
@@ -129,10 +127,11 @@ void append(std::vector<Item>& items, std::vector<Item> more) {
 
 // Where the survey told which targets are beyond the unambiguous range, their window need not be told of.
 void drop_windows_of_late_echoes(const core::Problems& of_echoes, core::Problems& found) {
+  constexpr core::RuleId beyond_unambiguous = "range-window.beyond-unambiguous", late_echoes = "echoes.late";
   std::erase_if(found, [&](const core::Problem& window) {
-    return window.message == scene::window_beyond_range && std::ranges::any_of(of_echoes, [&](const core::Problem& p) {
+    return window.id == beyond_unambiguous && std::ranges::any_of(of_echoes, [&](const core::Problem& p) {
              return p.subject.kind == window.subject.kind && p.subject.index == window.subject.index &&
-                    p.message.find(simulate::late_echoes) != std::string::npos;
+                    p.id == late_echoes;
            });
   });
 }
@@ -165,13 +164,12 @@ void note_thinning(core::Problems& problems, const scene::Scene& scene) {
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     const std::size_t points = scene::point_count(scene.clouds[i]);
     if (points <= max_cloud_looks) continue;
-    core::Problem note = core::problem_of(
-        core::Severity::note,
-        fmt::format("echo figures are based on {} of the {} points of the cloud; target counts include only those",
-                    max_cloud_looks, points),
-        {}, {}, {});
-    note.subject = {"cloud", i, "file"};
-    problems.push_back(std::move(note));
+    problems.push_back(
+        core::note(
+            "cloud.thinned",
+            fmt::format("echo figures are based on {} of the {} points of the cloud; target counts include only those",
+                        max_cloud_looks, points))
+            .at("cloud", i, "file"));
   }
 }
 
@@ -193,7 +191,7 @@ core::Problems problems_of_echoes(SceneInput& input, const std::optional<WantedP
   const auto surveyed = simulate::thinned(input.resolved, max_cloud_looks);
   simulate::SurveyReport report = simulate::survey_report(input.scene, surveyed, control);
   if (is_script(input) || input.scene.options.profile == scene::Profile::classic)
-    append(report.problems, simulate::differences_of_profiles(input.scene, report.summaries));
+    core::append(report.problems, simulate::differences_of_profiles(input.scene, report.summaries));
   name_clouds(report.problems, input.scene, *surveyed);
   note_thinning(report.problems, input.scene);
   input.scene.simulations = std::move(all);
@@ -218,10 +216,10 @@ scene::ReadControl read_control(const SceneOverrides& overrides, const core::Wor
 
 core::Problem nothing_asked(scene::Language language) {
   const bool is_script = language == scene::Language::script;
-  return core::problem_of(core::Severity::warning,
-                          is_script ? "the script asks for nothing" : "the scene asks for nothing", {},
-                          "a product that is to be made",
-                          is_script ? "add a $SIMULATION or a $GEOMETRY" : "add a [[recording]] or a [[geometry]]");
+  return core::warning("scene.asks-for-nothing",
+                       is_script ? "the script asks for nothing" : "the scene asks for nothing")
+      .expected("a product that is to be made")
+      .hint(is_script ? "add a $SIMULATION or a $GEOMETRY" : "add a [[recording]] or a [[geometry]]");
 }
 
 // What was found in some files themselves, as in those of functions by points.
@@ -267,7 +265,7 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
   apply(overrides, input.scene);
   core::Problems of_tables = add_targets(tables_of(overrides, input.scene), input.scene, control.stop);
   if (core::has_errors(of_tables)) throw core::InvalidRequest(std::move(of_tables));
-  append(reading.problems, std::move(of_tables));
+  core::append(reading.problems, std::move(of_tables));
   if (!overrides.settings.empty() && !core::has_errors(reading.problems))
     if (core::Problems mistakes =
             problems_of_setting(overrides.settings, input.scene, scene::disk_points(folder), reading.problems);
@@ -280,25 +278,25 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
     core::Problems read =
         keeps ? read_files_of(input.scene, folder, control) : warnings_by_look(input.scene, folder, control);
     if (!keeps) of_look = read;
-    append(of_files, core::Problems(read));
-    append(reading.problems, std::move(read));
+    core::append(of_files, read);
+    core::append(reading.problems, std::move(read));
   }
   std::optional<WantedProducts> wanted;
   if (choose && !core::has_errors(reading.problems)) wanted = choose(input.scene);
   if (check_level != CheckLevel::reading && check_level != CheckLevel::files) {
     core::Problems found = without_objects_of(scene::check(input.scene, control), reading.problems, input.scene);
     if (core::has_errors(reading.problems))  // Files were not read then.
-      std::erase_if(found, [](const core::Problem& p) { return p.message == scene::unread_motion; });
+      std::erase_if(found, [](const core::Problem& p) { return p.id == core::RuleId("motion-file.unread"); });
     if (overrides.format)  // Outputs take its extension.
-      std::erase_if(found, [](const core::Problem& p) { return p.message == scene::other_extension; });
+      std::erase_if(found, [](const core::Problem& p) { return p.id == core::RuleId("output.other-extension"); });
     if (wanted) forget_others(found, *wanted);
     drop_warnings_of(found, reading.problems);
-    append(reading.problems, std::move(found));
+    core::append(reading.problems, std::move(found));
   }
   if (check_level == CheckLevel::echoes && !core::has_errors(reading.problems)) {
     core::Problems of_echoes = problems_of_echoes(input, wanted, control);
     drop_windows_of_late_echoes(of_echoes, reading.problems);
-    append(reading.problems, std::move(of_echoes));
+    core::append(reading.problems, std::move(of_echoes));
   }
   if (check_level == CheckLevel::echoes && !core::has_errors(reading.problems) && input.scene.simulations.empty() &&
       input.scene.geometries.empty())

@@ -45,24 +45,23 @@ class TextWatch {
   std::optional<core::Problem> look_at(std::string_view piece) {
     for (const char c : piece) {
       if (c == '\0')
-        return fault(fmt::format("{} is not text", rules_.name), "a byte that is zero", "lines of text",
-                     "save the table as text, in UTF-8");
+        return fault(fmt::format("{} is not text", rules_.name))
+            .found("a byte that is zero")
+            .expected("lines of text")
+            .hint("save the table as text, in UTF-8");
       if (c == '\n') ++line_;
       length_ = c == '\n' || c == '\r' ? 0 : length_ + 1;
       if (length_ > longest_table_line)
-        return fault(fmt::format("a line of {} is too long", rules_.name), {},
-                     fmt::format("{} bytes at most", longest_table_line), "end each line with a line feed");
+        return fault(fmt::format("a line of {} is too long", rules_.name))
+            .expected(fmt::format("{} bytes at most", longest_table_line))
+            .hint("end each line with a line feed");
     }
     return std::nullopt;
   }
 
  private:
-  [[nodiscard]] core::Problem fault(std::string message, std::string found, std::string expected,
-                                    std::string hint) const {
-    core::Problem problem = core::problem_of(core::Severity::error, std::move(message), std::move(found),
-                                             std::move(expected), std::move(hint));
-    problem.place.line = line_;
-    return problem;
+  [[nodiscard]] core::ProblemBuilder fault(std::string message) const {
+    return core::error(std::move(message)).in({}, line_);
   }
 
   const TableFileRules& rules_;
@@ -81,11 +80,10 @@ core::Problems add_table(const TargetTable& table, scene::Scene& scene, const co
   scene::TargetImport import =
       scene::import_targets(std::get<std::string>(read), platform_for(table, scene), scene.world, stop);
   for (core::Problem& problem : import.problems) problem.place.file = table.file.string();
-  if (import.targets.empty() && import.problems.empty()) {
-    import.problems.push_back(core::problem_of(core::Severity::error, "the table holds no targets", {},
-                                               "lines of x, y, z and, where there is one, the cross-section", {}));
-    import.problems.back().place.file = table.file.string();
-  }
+  if (import.targets.empty() && import.problems.empty())
+    import.problems.push_back(core::error("the table holds no targets")
+                                  .expected("lines of x, y, z and, where there is one, the cross-section")
+                                  .in(table.file.string()));
   // Not one line of a table: the first of them says so, and the others are not told.
   if (import.targets.empty() && import.problems.size() > 1) {
     import.problems.front().count = import.problems.size();
@@ -103,8 +101,10 @@ std::variant<std::string, core::Problem> read_table_text(const std::filesystem::
   if (auto* failure = std::get_if<core::Problem>(&opened)) return std::move(*failure);
   const core::InputFile& input = std::get<core::InputFile>(opened);
   if (input.size() > rules.largest_bytes)
-    return core::problem_of(core::Severity::error, fmt::format("{} is too large", rules.name), file.string(),
-                            fmt::format("{} bytes at most", rules.largest_bytes), rules.too_large_hint);
+    return core::error(fmt::format("{} is too large", rules.name))
+        .found(file.string())
+        .expected(fmt::format("{} bytes at most", rules.largest_bytes))
+        .hint(rules.too_large_hint);
   constexpr std::size_t piece_bytes = std::size_t{1} << 20;
   TextWatch watch(rules);
   std::string text;
@@ -132,8 +132,7 @@ TargetTable target_table_of(const std::string& word, const scene::Scene& scene) 
 
 core::Problems add_targets(const std::vector<TargetTable>& tables, scene::Scene& scene, const core::StopFlag* stop) {
   core::Problems problems;
-  for (const TargetTable& table : tables)
-    std::ranges::move(add_table(table, scene, stop), std::back_inserter(problems));
+  for (const TargetTable& table : tables) core::append(problems, add_table(table, scene, stop));
   return problems;
 }
 

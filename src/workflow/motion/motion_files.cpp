@@ -116,7 +116,7 @@ Sampling sampling_of(const MotionRequest& request, const AskedMotion& motion, sc
 
 std::string text_of(scene::MotionText text, core::Problems& remarks) {
   if (core::has_errors(text.problems)) throw core::InvalidRequest(core::ranked(std::move(text.problems)));
-  std::ranges::move(text.problems, std::back_inserter(remarks));
+  core::append(remarks, std::move(text.problems));
   return std::move(text.text);
 }
 

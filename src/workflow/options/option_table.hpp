@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <functional>
-#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -106,7 +104,7 @@ class OptionTable {
         try {
           option.take(request, word->second);
         } catch (const core::InvalidRequest& refused) {
-          std::ranges::copy(refused.problems, std::back_inserter(option.told_late ? problems.late : problems.early));
+          core::append(option.told_late ? problems.late : problems.early, refused.problems);
         }
       }
     return problems;

@@ -1,7 +1,6 @@
 #include "workflow/options/option_words.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,24 +12,17 @@ namespace sarsim::workflow {
 
 namespace {
 
-core::Problem problem_in_words(std::string message, std::string hint = {}) {
-  core::Problem problem;
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
-}
-
 // What stands behind the name of an option that takes a word; moves on to it where it is the next word.
 void take_word(const Option& option, const std::vector<std::string>& words, std::size_t& i, GivenWords& given,
                core::Problems& problems) {
   const std::size_t sign = words[i].find('=');
   if (sign == std::string::npos && i + 1 == words.size()) {
-    problems.push_back(problem_in_words(fmt::format("{}: {} is missing after it", option.name, option.placeholder)));
+    problems.push_back(core::error(fmt::format("{}: {} is missing after it", option.name, option.placeholder)));
     return;
   }
   const std::string word = sign == std::string::npos ? words[++i] : words[i].substr(sign + 1);
   if (option.kind != OptionKind::texts && given.contains(option.name))
-    problems.push_back(problem_in_words(option.name + " is given twice", "leave one of them out"));
+    problems.push_back(core::error(option.name + " is given twice").hint("leave one of them out"));
   else
     given.emplace(option.name, word);
 }
@@ -65,7 +57,7 @@ GivenWords given_words(const std::vector<Option>& options, const std::vector<std
   core::Problems problems;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (!words[i].starts_with("--")) {
-      problems.push_back(problem_in_words(fmt::format("'{}' belongs to no option", words[i])));
+      problems.push_back(core::error(fmt::format("'{}' belongs to no option", words[i])));
       continue;
     }
     const std::string name = words[i].substr(0, words[i].find('='));
@@ -75,11 +67,11 @@ GivenWords given_words(const std::vector<Option>& options, const std::vector<std
       continue;
     }
     if (!given.contains(name)) given.emplace(name, "");
-    if (option != options.end() && name != words[i]) problems.push_back(problem_in_words(name + " takes no word"));
+    if (option != options.end() && name != words[i]) problems.push_back(core::error(name + " takes no word"));
     // What an unknown one seems to take is not told of besides.
     if (option == options.end() && i + 1 < words.size() && !words[i + 1].starts_with("--")) ++i;
   }
-  std::ranges::move(problems_with(options, given), std::back_inserter(problems));
+  core::append(problems, problems_with(options, given));
   if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
   return given;
 }

@@ -1,7 +1,6 @@
 #include "workflow/record/geometry.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -111,7 +110,7 @@ core::Problems expect_pulses(const scene::GeometryTable& table, scene::Scene& sc
   scene.geometries[0].range_end_m = 1.0;
   core::Problems remarks = read_motions(scene, folder);  // which may be needed for other times now
   core::Problems problems = remarks;
-  std::ranges::move(scene::check(scene), std::back_inserter(problems));
+  core::append(problems, scene::check(scene));
   std::erase_if(problems, [](const core::Problem& p) { return p.severity != core::Severity::error; });
   if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
   return remarks;

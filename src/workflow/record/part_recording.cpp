@@ -87,7 +87,8 @@ class PartMaker {
     core::Problems problems;
     for (const std::string& difference : raster::differences(
              job_.identity, "on " + process_name(), std::get<raster::Journal>(leaders).head.identity, "on the first"))
-      problems.push_back(problem("the processes differ: " + difference, "give all of them the same files and options"));
+      problems.push_back(
+          problem("the processes differ: " + difference).hint("give all of them the same files and options"));
     if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
   }
 
@@ -105,12 +106,12 @@ class PartMaker {
     if (!std::filesystem::exists(job_.output, ignored)) return;
     if (!std::filesystem::is_regular_file(job_.output, ignored) && !raster::is_own_zarr_store(job_.output))
       throw core::InvalidRequest(
-          {problem("parts can only become a file", "run without --part, --pulses and --resume")});
+          {problem("parts can only become a file").hint("run without --part, --pulses and --resume")});
     const auto receipt = raster::read_receipt(job_.output, job_.product);
     if (!job_.choice.resume || !receipt) {
       if (job_.force) return;
       throw core::InvalidRequest(
-          {problem("the output exists already", "replace it with --force, or choose another folder with --out")});
+          {problem("the output exists already").hint("replace it with --force, or choose another folder with --out")});
     }
     const auto changes = raster::differences(job_.identity, "now", receipt->identity, "in the file");
     if (changes.empty()) {
@@ -123,17 +124,13 @@ class PartMaker {
     if (job_.force) return;
     core::Problems problems;
     for (const std::string& change : changes)
-      problems.push_back(problem("the output is finished, but of another run: " + change,
-                                 "replace it with --force, or choose another folder with --out"));
+      problems.push_back(problem("the output is finished, but of another run: " + change)
+                             .hint("replace it with --force, or choose another folder with --out"));
     throw core::InvalidRequest(std::move(problems));
   }
 
-  [[nodiscard]] core::Problem problem(std::string message, std::string hint) const {
-    core::Problem p;
-    p.message = std::move(message);
-    p.found = job_.output.string();
-    p.hint = std::move(hint);
-    return p;
+  [[nodiscard]] core::ProblemBuilder problem(std::string message) const {
+    return core::error(std::move(message)).found(job_.output.string());
   }
 
   [[nodiscard]] raster::PartTask task() const {

@@ -206,7 +206,7 @@ class Recorder {
 
   void take_problems(core::Problems more) {
     scene::locate(more, input_.places);
-    std::ranges::move(more, std::back_inserter(input_.problems));
+    core::append(input_.problems, std::move(more));
     input_.problems = core::ranked(std::move(input_.problems));
     tell_problems();
   }
@@ -233,23 +233,22 @@ class Recorder {
       const raster::Format* const format =
           job.table ? nullptr : &raster::format_of(input_.scene.simulations[job.index].format);
       for (const fs::path& file : raster::files_of(format, job.path)) {
-        std::ranges::move(
-            problems_of_output(file, {sources, request_.force || later, "", chosen_folder(output_.folder)}),
-            std::back_inserter(problems));
+        core::append(problems,
+                     problems_of_output(file, {sources, request_.force || later, "", chosen_folder(output_.folder)}));
         files.push_back(file);
       }
       if (journaled_ && format != nullptr && format->in_files != nullptr)
-        problems.push_back(core::problem_of(core::Severity::error, "parts and runs that can be resumed make one file",
-                                            fmt::format("{}, which is several files", raster::word_of(*format)), {},
-                                            "record HDF5 in this way, and convert it: sarsim convert"));
+        problems.push_back(core::error("parts and runs that can be resumed make one file")
+                               .found(fmt::format("{}, which is several files", raster::word_of(*format)))
+                               .hint("record HDF5 in this way, and convert it: sarsim convert"));
       if (!journaled_ || job.table) continue;
-      std::ranges::move(problems_of_side_files(job.path), std::back_inserter(problems));
+      core::append(problems, problems_of_side_files(job.path));
       for (const fs::path& file : side_files_of(job.path)) {
         if (auto harm = sources.harm_of(file, true)) problems.push_back(*std::move(harm));
         files.push_back(file);
       }
     }
-    if (!request_.discard) std::ranges::move(problems_of_same_files(files), std::back_inserter(problems));
+    if (!request_.discard) core::append(problems, problems_of_same_files(files));
     expect_output_folder(output_.folder);
     if (!problems.empty()) throw core::InvalidRequest(std::move(problems));
   }
@@ -277,9 +276,9 @@ class Recorder {
     }
     const auto& span = request_.part.span;
     if (span && max_rows && *max_rows < static_cast<std::size_t>(span->first))
-      throw core::InvalidRequest(
-          {core::problem_of(core::Severity::error, "no recording has as many pulses as --pulses asks for",
-                            words_of(request_.part), fmt::format("pulses 1 to {}", *max_rows), {})});
+      throw core::InvalidRequest({core::error("no recording has as many pulses as --pulses asks for")
+                                      .found(words_of(request_.part))
+                                      .expected(fmt::format("pulses 1 to {}", *max_rows))});
     observer_.remarks(missing);
     for (const std::string& line : lines) observer_.announces(line);
     take_problems(std::move(missing));
@@ -291,9 +290,10 @@ class Recorder {
   void add_missing_pulses(const ProductJob& job, const simulate::Plan& plan, core::Problems& missing) const {
     const auto& span = request_.part.span;
     if (!span || !span->last || static_cast<std::size_t>(*span->last) <= plan.acquisition.timing.rows) return;
-    missing.push_back(core::problem_of(
-        core::Severity::warning, fmt::format("'{}' has fewer pulses than --pulses asks for", job.path.string()),
-        words_of(request_.part), fmt::format("pulses 1 to {}", plan.acquisition.timing.rows), {}));
+    missing.push_back(core::warning("recording.fewer-pulses",
+                                    fmt::format("'{}' has fewer pulses than --pulses asks for", job.path.string()))
+                          .found(words_of(request_.part))
+                          .expected(fmt::format("pulses 1 to {}", plan.acquisition.timing.rows)));
   }
 
   // Rows of a recording that are to be made here.

@@ -70,8 +70,10 @@ void expect_free(const std::filesystem::path& file, const SceneInput& input, boo
   for (core::Problem& problem : taken) problem.hint = "give the file another name";
   std::error_code ignored;
   if (taken.empty() && !replace && std::filesystem::exists(file, ignored))
-    taken.push_back(core::problem_of(core::Severity::error, "the file exists already", file.string(), "a new name",
-                                     "give it another name, or ask for it to be replaced"));
+    taken.push_back(core::error("the file exists already")
+                        .found(file.string())
+                        .expected("a new name")
+                        .hint("give it another name, or ask for it to be replaced"));
   if (!taken.empty()) throw core::InvalidRequest(std::move(taken));
 }
 

@@ -1,7 +1,6 @@
 #include "workflow/record/side_files.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <string>
 #include <system_error>
@@ -19,14 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-core::Problem problem_of_file(const fs::path& file, std::string message, std::string hint) {
-  core::Problem problem;
-  problem.message = std::move(message);
-  problem.found = file.string();
-  problem.hint = std::move(hint);
-  return problem;
-}
-
 // Whose whole first line is that of a journal, with its checksum.
 bool is_journal(const fs::path& file) {
   const std::string signature = core::sealed_line(raster::journal_signature);
@@ -37,8 +28,9 @@ core::Problems problems_of_receipt(const fs::path& receipt) {
   std::error_code ignored;
   const fs::file_status status = fs::symlink_status(receipt, ignored);
   if (!fs::exists(status) || (fs::is_regular_file(status) && is_journal(receipt))) return {};
-  return {problem_of_file(receipt, "the file name of the recording's receipt is taken by something else",
-                          "move that away, or give the recording another name or folder")};
+  return {core::error("the file name of the recording's receipt is taken by something else")
+              .found(receipt.string())
+              .hint("move that away, or give the recording another name or folder")};
 }
 
 // Whoever makes parts in a folder opens its file `lock` before anything else; a copy of it may hold journals alone.
@@ -65,10 +57,13 @@ core::Problems problems_of_parts_folder(const fs::path& folder) {
   if (!fs::exists(status)) return {};
   const std::string hint = "move it away, or give the recording another name or folder";
   if (!fs::is_directory(status))
-    return {problem_of_file(
-        folder, "the folder for the recording's parts has the name of something that is not a folder", hint)};
+    return {core::error("the folder for the recording's parts has the name of something that is not a folder")
+                .found(folder.string())
+                .hint(hint)};
   if (holds_joins_alone(folder) || holds_parts(folder)) return {};
-  return {problem_of_file(folder, "the folder for the recording's parts holds files that are not parts", hint)};
+  return {core::error("the folder for the recording's parts holds files that are not parts")
+              .found(folder.string())
+              .hint(hint)};
 }
 
 // One name for a file, whatever links lead to it; none for what takes several outputs.
@@ -89,7 +84,7 @@ std::vector<fs::path> side_files_of(const fs::path& output) {
 
 core::Problems problems_of_side_files(const fs::path& output) {
   core::Problems problems = problems_of_receipt(raster::receipt_of(output));
-  std::ranges::move(problems_of_parts_folder(raster::parts_folder_of(output)), std::back_inserter(problems));
+  core::append(problems, problems_of_parts_folder(raster::parts_folder_of(output)));
   return problems;
 }
 
@@ -101,8 +96,9 @@ core::Problems problems_of_same_files(const std::vector<fs::path>& paths) {
     if (identity.empty()) continue;
     const auto [earlier, is_new] = taken.emplace(identity, path);
     if (is_new) continue;
-    problems.push_back(problem_of_file(path, fmt::format("this output and '{}' are one file", earlier->second.string()),
-                                       "give each of them a name of its own"));
+    problems.push_back(core::error(fmt::format("this output and '{}' are one file", earlier->second.string()))
+                           .found(path.string())
+                           .hint("give each of them a name of its own"));
   }
   return problems;
 }

@@ -1,7 +1,5 @@
 #include "workflow/search/pulse_pipeline.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "core/os/free_memory.hpp"
@@ -76,18 +74,16 @@ void PulsePipeline::open(const std::function<std::size_t(const simulate::Acquisi
 
 void PulsePipeline::find_problems(double more_bytes) {
   core::Problems& problems = input_.problems;
-  std::ranges::move(problems_of_search(acquisition(), options_), std::back_inserter(problems));
+  core::append(problems, problems_of_search(acquisition(), options_));
   const double bytes = interval_bytes(options_, rows().pulses(), rows().samples()) + more_bytes;
   if (bytes > memory_bytes()) {
-    core::Problem problem;
-    problem.message = "an interval and the picture do not fit into memory";
-    problem.found = core::bytes_text(bytes);
-    problem.expected = "at most " + core::bytes_text(memory_bytes());
-    problem.hint = "take fewer pulses, frequencies or pixels at once";
-    problems.push_back(problem);
+    problems.push_back(core::error("an interval and the picture do not fit into memory")
+                           .found(core::bytes_text(bytes))
+                           .expected("at most " + core::bytes_text(memory_bytes()))
+                           .hint("take fewer pulses, frequencies or pixels at once"));
   }
   if (core::has_errors(problems)) throw core::InvalidRequest(core::ranked(std::move(problems)));
-  std::ranges::move(diagnose_search(acquisition(), options_, control_), std::back_inserter(problems));
+  core::append(problems, diagnose_search(acquisition(), options_, control_));
   problems = core::ranked(std::move(problems));
   observer_.remarks(problems);
 }

@@ -17,14 +17,6 @@ constexpr std::int64_t max_cells = 100000;
 constexpr double usual_false_alarm = 1e-6;
 constexpr double usual_rank = 0.75;
 
-core::Problem option_problem(std::string message, std::string found, std::string expected) {
-  core::Problem problem;
-  problem.message = std::move(message);
-  problem.found = std::move(found);
-  problem.expected = std::move(expected);
-  return problem;
-}
-
 // A target fills the samples of its range cell: those must not count as noise.
 std::size_t usual_guard(const simulate::Acquisition& acquisition) {
   const double samples =
@@ -43,7 +35,7 @@ void expect_detector(const PulseRequest& request, core::Problems& problems) {
   for (const auto& [option, there] : given)
     if (there)
       problems.push_back(
-          option_problem(fmt::format("{} means nothing with --cfar none", option), "", "--cfar ca or os"));
+          core::error(fmt::format("{} means nothing with --cfar none", option)).expected("--cfar ca or os"));
 }
 
 signal::CfarOptions detector_asked_for(const PulseRequest& request, const simulate::Acquisition& acquisition) {
@@ -77,21 +69,24 @@ core::Problems problems_of_request(const PulseRequest& request) {
   core::Problems problems;
   // The command line lets neither through.
   if (request.pulses == std::size_t{0})
-    problems.push_back(option_problem("--interval: a coherent interval has no pulses", "0", "1 or more"));
+    problems.push_back(core::error("--interval: a coherent interval has no pulses").found("0").expected("1 or more"));
   if (request.canceller > 2)
-    problems.push_back(
-        option_problem("--canceller: there is none of that order", fmt::format("{}", request.canceller), "0, 1 or 2"));
+    problems.push_back(core::error("--canceller: there is none of that order")
+                           .found(fmt::format("{}", request.canceller))
+                           .expected("0, 1 or 2"));
   const double false_alarm = request.false_alarm.value_or(usual_false_alarm);
   if (!(false_alarm >= 1e-15 && false_alarm <= 0.5))
-    problems.push_back(option_problem("--pfa: no probability of false alarm for a cell",
-                                      core::format_number(false_alarm), "1e-15 to 0.5"));
+    problems.push_back(core::error("--pfa: no probability of false alarm for a cell")
+                           .found(core::format_number(false_alarm))
+                           .expected("1e-15 to 0.5"));
   const double rank = request.rank.value_or(usual_rank);
   if (!(rank > 0.0 && rank <= 1.0))
-    problems.push_back(
-        option_problem("--rank: not a share of the reference cells", core::format_number(rank), "above 0, at most 1"));
+    problems.push_back(core::error("--rank: not a share of the reference cells")
+                           .found(core::format_number(rank))
+                           .expected("above 0, at most 1"));
   const bool ordered = request.detect && request.detector == signal::CfarOptions::Kind::ordered_statistic;
   if (request.rank && !ordered)
-    problems.push_back(option_problem("--rank is for the ordered statistic", "", "--cfar os"));
+    problems.push_back(core::error("--rank is for the ordered statistic").expected("--cfar os"));
   expect_detector(request, problems);
   return problems;
 }

@@ -62,11 +62,6 @@ class Remarks {
   }
 
  private:
-  void warn(std::string message, std::string found, std::string expected, std::string hint) {
-    problems_.push_back(core::problem_of(core::Severity::warning, std::move(message), std::move(found),
-                                         std::move(expected), std::move(hint)));
-  }
-
   [[nodiscard]] double speed_of(double doppler_hz) const { return -radar::speed_of(doppler_hz, wavelength_m_); }
 
   // Of the Doppler frequencies that a target shows, the one farthest from 0.
@@ -85,14 +80,16 @@ class Remarks {
     }
     if (count == 0) return;
     // A radar that searches finds directions and ranges, and is built to fold speeds.
-    problems_.push_back(core::problem_of(
-        beam_turns(acquisition_) ? core::Severity::note : core::Severity::warning,
-        fmt::format("{} of {} targets move faster than the PRF tells apart: their Doppler frequencies fold", count,
-                    survey_.targets.size()),
-        fmt::format("{:.4g} m/s, that is {}", std::abs(speed_of(max_hz)), core::with_prefix(std::abs(max_hz), "Hz", 4)),
-        fmt::format("at most {:.4g} m/s, lambda PRF/4", speed_of(0.5 * prf_hz_)),
-        fmt::format("speeds are shown modulo {:.4g} m/s; a PRF of {} tells them apart", speed_of(prf_hz_),
-                    core::with_prefix(2.0 * std::abs(max_hz), "Hz", 4))));
+    problems_.push_back(
+        core::ProblemBuilder(
+            beam_turns(acquisition_) ? core::Severity::note : core::Severity::warning, "search.doppler-folds",
+            fmt::format("{} of {} targets move faster than the PRF tells apart: their Doppler frequencies fold", count,
+                        survey_.targets.size()))
+            .found(fmt::format("{:.4g} m/s, that is {}", std::abs(speed_of(max_hz)),
+                               core::with_prefix(std::abs(max_hz), "Hz", 4)))
+            .expected(fmt::format("at most {:.4g} m/s, lambda PRF/4", speed_of(0.5 * prf_hz_)))
+            .hint(fmt::format("speeds are shown modulo {:.4g} m/s; a PRF of {} tells them apart", speed_of(prf_hz_),
+                              core::with_prefix(2.0 * std::abs(max_hz), "Hz", 4))));
   }
 
   void range_walk() {
@@ -103,10 +100,13 @@ class Remarks {
     for (const simulate::TargetSurvey& target : survey_.targets)
       if (target.in_window) max_mps = std::max(max_mps, target.largest_speed_mps);
     if (max_mps * time_s <= cell_m) return;
-    warn("targets move through more than a cell of range in an interval: their responses smear",
-         fmt::format("{:.4g} m at {:.4g} m/s", max_mps * time_s, max_mps),
-         fmt::format("at most {:.4g} m, c/(2 B)", cell_m),
-         fmt::format("take intervals of at most {:.0f} pulses", std::max(1.0, std::floor(cell_m / max_mps * prf_hz_))));
+    problems_.push_back(
+        core::warning("search.range-smears",
+                      "targets move through more than a cell of range in an interval: their responses smear")
+            .found(fmt::format("{:.4g} m at {:.4g} m/s", max_mps * time_s, max_mps))
+            .expected(fmt::format("at most {:.4g} m, c/(2 B)", cell_m))
+            .hint(fmt::format("take intervals of at most {:.0f} pulses",
+                              std::max(1.0, std::floor(cell_m / max_mps * prf_hz_)))));
   }
 
   // Far from 0, where nothing rests.
@@ -127,13 +127,16 @@ class Remarks {
     }
     if (count == 0) return;
     const double gain = signal::canceller_gain(options_.canceller, first_hz, prf_hz_) / mean_gain;
-    warn(count == 1
-             ? fmt::format("target {} moves near a blind speed of the canceller", first)
-             : fmt::format("{} targets move near blind speeds of the canceller, target {} the first", count, first),
-         fmt::format("{:.4g} m/s, where it lets pass {:.0f} dB", std::abs(speed_of(first_hz)),
-                     10.0 * std::log10(std::max(gain, 1e-30))),
-         fmt::format("speeds away from multiples of {:.4g} m/s, lambda PRF/2", speed_of(prf_hz_)),
-         "change the PRF or the carrier");
+    problems_.push_back(
+        core::warning(
+            "search.blind-speed",
+            count == 1
+                ? fmt::format("target {} moves near a blind speed of the canceller", first)
+                : fmt::format("{} targets move near blind speeds of the canceller, target {} the first", count, first))
+            .found(fmt::format("{:.4g} m/s, where it lets pass {:.0f} dB", std::abs(speed_of(first_hz)),
+                               10.0 * std::log10(std::max(gain, 1e-30))))
+            .expected(fmt::format("speeds away from multiples of {:.4g} m/s, lambda PRF/2", speed_of(prf_hz_)))
+            .hint("change the PRF or the carrier"));
   }
 
   // Raw recordings end without the rest of the echoes that begin in their last pulse's length.
@@ -154,12 +157,16 @@ class Remarks {
       farthest_m = std::max(farthest_m, target.farthest_m);
     }
     if (count == 0) return;
-    warn(fmt::format(
-             "{} of {} targets lie within a pulse's length of the end of the raw recording, which holds only the "
-             "beginning of their echoes: they show weaker",
-             count, survey_.targets.size()),
-         fmt::format("{:.6g} m", farthest_m), fmt::format("at most {:.6g} m", whole_m),
-         "record farther, by half of c times the pulse width, or take the script");
+    problems_.push_back(
+        core::warning(
+            "search.echoes-cut",
+            fmt::format(
+                "{} of {} targets lie within a pulse's length of the end of the raw recording, which holds only the "
+                "beginning of their echoes: they show weaker",
+                count, survey_.targets.size()))
+            .found(fmt::format("{:.6g} m", farthest_m))
+            .expected(fmt::format("at most {:.6g} m", whole_m))
+            .hint("record farther, by half of c times the pulse width, or take the script"));
   }
 
   void dwell() {
@@ -170,11 +177,14 @@ class Remarks {
     if (turn_rad <= width_rad) return;
     const auto degrees = [](double rad) { return core::deg_per_rad * rad; };
     const double pulses = width_rad / std::abs(acquisition_.link.beam.rate_rad_per_s) * prf_hz_;
-    warn("the beam turns more than its width in an interval: targets are illuminated for part of it",
-         fmt::format("{:.3g} degrees in {} pulses", degrees(turn_rad), options_.recorded_pulses()),
-         fmt::format("at most {:.3g} degrees", degrees(width_rad)),
-         pulses >= 2.0 ? fmt::format("take intervals of at most {:.0f} pulses, or turn more slowly", std::floor(pulses))
-                       : std::string("turn more slowly or raise the PRF"));
+    problems_.push_back(
+        core::warning("search.beam-turns",
+                      "the beam turns more than its width in an interval: targets are illuminated for part of it")
+            .found(fmt::format("{:.3g} degrees in {} pulses", degrees(turn_rad), options_.recorded_pulses()))
+            .expected(fmt::format("at most {:.3g} degrees", degrees(width_rad)))
+            .hint(pulses >= 2.0
+                      ? fmt::format("take intervals of at most {:.0f} pulses, or turn more slowly", std::floor(pulses))
+                      : std::string("turn more slowly or raise the PRF")));
   }
 
   // The picture of a single turn stays black where its last pulses make no interval. Of several turns another one shows
@@ -190,12 +200,11 @@ class Remarks {
     constexpr double rounding_deg = 1e-6;
     if (unseen_deg < rounding_deg) return;
     problems_.push_back(
-        core::problem_of(core::Severity::note,
-                         fmt::format("the last {} of {} pulses make no interval: {:.3g} deg of the turn are not seen",
-                                     pulses - taken, pulses, unseen_deg),
-                         "", "",
-                         fmt::format("take intervals of another number of pulses, or record {} more",
-                                     taken + options_.step_pulses() - pulses)));
+        core::note("search.pulses-left-over",
+                   fmt::format("the last {} of {} pulses make no interval: {:.3g} deg of the turn are not seen",
+                               pulses - taken, pulses, unseen_deg))
+            .hint(fmt::format("take intervals of another number of pulses, or record {} more",
+                              taken + options_.step_pulses() - pulses)));
   }
 
   // Of single pulses nothing is left but the beam's azimuth and the range.
@@ -204,27 +213,40 @@ class Remarks {
     simulate::PulseGeometry geometry(*acquisition_.scene, acquisition_.link);
     geometry.set_pulse(acquisition_.timing.pulses.first);
     const double azimuth_deg = core::deg_per_rad * core::azimuth_rad(geometry.pointing().axis_world());
-    warn("the beam does not turn: every detection is shown at the azimuth of the beam, wherever its target is",
-         fmt::format("a beam that points to {:.3g} degrees all the time",
-                     azimuth_deg + (azimuth_deg < 0.0 ? 360.0 : 0.0)),
-         "a beam of type \"rotating\"", "targets outside the beam are not compared with detections");
+    problems_.push_back(
+        core::warning(
+            "search.beam-still",
+            "the beam does not turn: every detection is shown at the azimuth of the beam, wherever its target is")
+            .found(fmt::format("a beam that points to {:.3g} degrees all the time",
+                               azimuth_deg + (azimuth_deg < 0.0 ? 360.0 : 0.0)))
+            .expected("a beam of type \"rotating\"")
+            .hint("targets outside the beam are not compared with detections"));
   }
 
   void detector() {
     if (acquisition_.reception.noise_stddev_v == 0.0)
-      warn("the radar has no noise: detections are compared with sidelobes and rounding errors", "0 K",
-           "a noise temperature above 0", "give the receiver its temperature, 290 K for instance");
+      problems_.push_back(
+          core::warning("search.no-noise",
+                        "the radar has no noise: detections are compared with sidelobes and rounding errors")
+              .found("0 K")
+              .expected("a noise temperature above 0")
+              .hint("give the receiver its temperature, 290 K for instance"));
     if (options_.canceller > 0 && options_.cfar.reference_rows > 0)
-      warn("after a canceller noise differs from one Doppler row to the next: reference cells in other rows mislead",
-           fmt::format("{} rows", options_.cfar.reference_rows), "reference cells in the same row",
-           "leave out the second number of --train");
+      problems_.push_back(
+          core::warning(
+              "search.canceller-noise",
+              "after a canceller noise differs from one Doppler row to the next: reference cells in other rows mislead")
+              .found(fmt::format("{} rows", options_.cfar.reference_rows))
+              .expected("reference cells in the same row")
+              .hint("leave out the second number of --train"));
     const double pulse_cells =
         1.0 / (radar::bandwidth_hz(acquisition_.link.pulse) * acquisition_.reception.raw_grid.interval_s);
     if (pulse_cells > 1.5 && static_cast<double>(options_.cfar.guard_columns) < pulse_cells)
-      warn("a response is wider than the guard cells: a target masks itself",
-           fmt::format("{} guard cells to either side", options_.cfar.guard_columns),
-           fmt::format("at least {:.0f}, the samples of a range cell", std::ceil(pulse_cells)),
-           "give more with --guard");
+      problems_.push_back(
+          core::warning("search.guard-too-small", "a response is wider than the guard cells: a target masks itself")
+              .found(fmt::format("{} guard cells to either side", options_.cfar.guard_columns))
+              .expected(fmt::format("at least {:.0f}, the samples of a range cell", std::ceil(pulse_cells)))
+              .hint("give more with --guard"));
   }
 
   const simulate::Acquisition& acquisition_;
@@ -239,37 +261,44 @@ class Remarks {
 
 core::Problems problems_of_search(const simulate::Acquisition& acquisition, const SearchOptions& options) {
   core::Problems problems;
-  const auto refuse = [&](std::string message, std::string found, std::string expected, std::string hint) {
-    problems.push_back(core::problem_of(core::Severity::error, std::move(message), std::move(found),
-                                        std::move(expected), std::move(hint)));
-  };
   if (acquisition.reception.is_profile())
-    refuse("synthetic range profiles hold no pulses", "processing \"srp\"", "processing \"raw\" or \"matched-filter\"",
-           "take another recording with --simulation");
+    problems.push_back(core::error("synthetic range profiles hold no pulses")
+                           .found("processing \"srp\"")
+                           .expected("processing \"raw\" or \"matched-filter\"")
+                           .hint("take another recording with --simulation"));
   const bool trains = options.recorded_pulses() > 1;
   if (trains && !evenly_spaced(acquisition))
-    refuse("the pulses are not evenly spaced: Doppler frequencies and cancellers need even ones", "", "one PRF",
-           "use a repetition of type \"constant\", or --interval 1 without a canceller");
+    problems.push_back(
+        core::error("the pulses are not evenly spaced: Doppler frequencies and cancellers need even ones")
+            .expected("one PRF")
+            .hint("use a repetition of type \"constant\", or --interval 1 without a canceller"));
   if (trains && acquisition.link.carrier.lowest_hz() != acquisition.link.carrier.highest_hz())
-    refuse(
-        "the carrier changes from pulse to pulse: their phases cannot be compared",
-        fmt::format("{:.9g} to {:.9g} Hz", acquisition.link.carrier.lowest_hz(), acquisition.link.carrier.highest_hz()),
-        "one carrier", "use a carrier of type \"single\", or --interval 1 without a canceller");
+    problems.push_back(core::error("the carrier changes from pulse to pulse: their phases cannot be compared")
+                           .found(fmt::format("{:.9g} to {:.9g} Hz", acquisition.link.carrier.lowest_hz(),
+                                              acquisition.link.carrier.highest_hz()))
+                           .expected("one carrier")
+                           .hint("use a carrier of type \"single\", or --interval 1 without a canceller"));
   const auto pulses = static_cast<std::size_t>(acquisition.timing.pulses.count());
   if (!acquisition.reception.is_profile() && options.recorded_pulses() > pulses)
-    refuse("an interval takes more pulses than there are", fmt::format("{}", options.recorded_pulses()),
-           fmt::format("at most {}", pulses), "give --interval less, or record for longer");
+    problems.push_back(core::error("an interval takes more pulses than there are")
+                           .found(fmt::format("{}", options.recorded_pulses()))
+                           .expected(fmt::format("at most {}", pulses))
+                           .hint("give --interval less, or record for longer"));
   if (options.frequencies > 0 && options.frequencies < options.pulses)
-    refuse("a map has fewer Doppler frequencies than an interval has pulses", fmt::format("{}", options.frequencies),
-           fmt::format("at least {}", options.pulses), "give --frequencies more");
+    problems.push_back(core::error("a map has fewer Doppler frequencies than an interval has pulses")
+                           .found(fmt::format("{}", options.frequencies))
+                           .expected(fmt::format("at least {}", options.pulses))
+                           .hint("give --frequencies more"));
   if (options.pulses == 1 && options.frequencies > 1)
-    refuse("a single pulse has no Doppler frequencies", fmt::format("{}", options.frequencies), "1",
-           "give --interval more, or leave out --frequencies");
+    problems.push_back(core::error("a single pulse has no Doppler frequencies")
+                           .found(fmt::format("{}", options.frequencies))
+                           .expected("1")
+                           .hint("give --interval more, or leave out --frequencies"));
   if (options.detect && !signal::has_reference_cells(options.cfar, options.rows(), acquisition.reception.columns))
-    refuse("no reference cells are left outside the guard",
-           cells_text(options.cfar, options.rows(), acquisition.reception.columns),
-           "more cells to train on than to guard, and a guard smaller than the map",
-           "give --train more, or --guard less");
+    problems.push_back(core::error("no reference cells are left outside the guard")
+                           .found(cells_text(options.cfar, options.rows(), acquisition.reception.columns))
+                           .expected("more cells to train on than to guard, and a guard smaller than the map")
+                           .hint("give --train more, or --guard less"));
   return problems;
 }
 

@@ -1,7 +1,5 @@
 #include "workflow/search/search_options.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,7 +15,7 @@ constexpr std::uint64_t max_pulses = std::uint64_t{1} << 24;
 
 [[noreturn]] void refuse_word(std::string message, const std::string& found, std::string expected) {
   throw core::InvalidRequest(
-      core::Problems{core::problem_of(core::Severity::error, std::move(message), found, std::move(expected), {})});
+      core::Problems{core::error(std::move(message)).found(found).expected(std::move(expected))});
 }
 
 // What cannot be read counts as given, so that all that is wrong is told at once.
@@ -119,8 +117,8 @@ Request request_of(const OptionTable<Request>& table, const std::string& input, 
   TakenProblems problems = table.take_words(given, request);
   if (problems.empty()) return request;
   core::Problems all = std::move(problems.early);
-  std::ranges::move(problems_of_request(request), std::back_inserter(all));
-  std::ranges::move(problems.late, std::back_inserter(all));
+  core::append(all, problems_of_request(request));
+  core::append(all, std::move(problems.late));
   throw core::InvalidRequest(std::move(all));
 }
 

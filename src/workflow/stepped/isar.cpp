@@ -95,7 +95,7 @@ class IsarRun {
       report.images.push_back(made(i));
       const core::Problems& losses = report.images.back().image.losses;
       observer_.remarks(losses);
-      std::ranges::copy(losses, std::back_inserter(input_.problems));
+      core::append(input_.problems, losses);
     }
     report.source = request_.input.path;
     report.simulation = input_.simulation;
@@ -144,7 +144,7 @@ class IsarRun {
 
   void find_problems() {
     core::Problems& problems = input_.problems;
-    std::ranges::move(diagnose_isar(input_.rows, firsts_, count_, options_, control_), std::back_inserter(problems));
+    core::append(problems, diagnose_isar(input_.rows, firsts_, count_, options_, control_));
     problems = core::ranked(std::move(problems));
     if (core::has_errors(problems)) throw core::InvalidRequest(problems);
     observer_.remarks(problems);
@@ -209,9 +209,9 @@ core::Problems diagnose_isar(const SteppedRows& rows, const std::vector<std::siz
   core::Problems problems;
   for (const std::size_t first : firsts) {
     if (control.stop != nullptr && control.stop->requested()) throw core::Interrupted();
-    std::ranges::move(plan_isar_image(rows, first, count, options).problems, std::back_inserter(problems));
+    core::append(problems, plan_isar_image(rows, first, count, options).problems);
   }
-  std::ranges::move(diagnose_stepped(rows, SteppedUse::isar, {}), std::back_inserter(problems));
+  core::append(problems, diagnose_stepped(rows, SteppedUse::isar, {}));
   return problems;
 }
 

@@ -83,34 +83,36 @@ signal::ImagePlace half_size(const SteppedRows& rows, const IsarPlan& plan, cons
 void add_remarks(IsarImage& made, const IsarPlan& plan, const IsarOptions& options, const signal::ImagePlace& half,
                  double wavelength_m) {
   if (plan.plane.turn_rad <= min_turn_rad) {
-    made.problems.push_back(core::problem_of(
-        core::Severity::error, "the target does not turn against the line of sight: there is no cross-range",
-        fmt::format("{:.3g} degrees", core::deg_per_rad * plan.plane.turn_rad), "a target that turns or flies past",
-        "choose the target's --platform, record for longer, or give --turn-rate"));
+    made.problems.push_back(core::error("the target does not turn against the line of sight: there is no cross-range")
+                                .found(fmt::format("{:.3g} degrees", core::deg_per_rad * plan.plane.turn_rad))
+                                .expected("a target that turns or flies past")
+                                .hint("choose the target's --platform, record for longer, or give --turn-rate"));
     return;
   }
   const double pixels = 4.0 * half.azimuth_m * half.range_m /
                         (made.cross_range_resolution_m * made.range_resolution_m) *
                         static_cast<double>(options.oversampling * options.oversampling);
   if (!(half.azimuth_m > 0.0 && half.range_m > 0.0) || !(pixels < max_pixels)) {
-    made.problems.push_back(core::problem_of(
-        core::Severity::error, "the image cannot be made this large",
-        fmt::format("{:.4g} m x {:.4g} m", 2.0 * half.azimuth_m, 2.0 * half.range_m),
-        "above 0, and fewer than 67 million pixels", "choose another --cross-range, --range or --oversampling"));
+    made.problems.push_back(core::error("the image cannot be made this large")
+                                .found(fmt::format("{:.4g} m x {:.4g} m", 2.0 * half.azimuth_m, 2.0 * half.range_m))
+                                .expected("above 0, and fewer than 67 million pixels")
+                                .hint("choose another --cross-range, --range or --oversampling"));
     return;
   }
   if (2.0 * half.azimuth_m > made.unambiguous_cross_range_m)
-    made.problems.push_back(core::problem_of(
-        core::Severity::warning, "the image exceeds the unambiguous cross-range: points appear more than once",
-        fmt::format("{:.4g} m", 2.0 * half.azimuth_m), fmt::format("up to {:.4g} m", made.unambiguous_cross_range_m),
-        "repeat bursts faster, or choose a smaller --cross-range"));
+    made.problems.push_back(core::warning("isar.cross-range-ambiguous",
+                                          "the image exceeds the unambiguous cross-range: points appear more than once")
+                                .found(fmt::format("{:.4g} m", 2.0 * half.azimuth_m))
+                                .expected(fmt::format("up to {:.4g} m", made.unambiguous_cross_range_m))
+                                .hint("repeat bursts faster, or choose a smaller --cross-range"));
   const double quadratic = 0.5 * half.range_m * plan.plane.turn_rad * plan.plane.turn_rad / wavelength_m;
   if (options.algorithm == IsarOptions::Algorithm::range_doppler && quadratic > 0.5)
-    made.problems.push_back(core::problem_of(core::Severity::warning,
-                                             "the target turns so far that points away from its centre blur",
-                                             fmt::format("{:.3g} degrees, {:.3g} pi of phase at the edge",
-                                                         core::deg_per_rad * plan.plane.turn_rad, quadratic),
-                                             "half of pi", "use fewer --bursts, or --algorithm back-projection"));
+    made.problems.push_back(
+        core::warning("isar.turns-too-far", "the target turns so far that points away from its centre blur")
+            .found(fmt::format("{:.3g} degrees, {:.3g} pi of phase at the edge",
+                               core::deg_per_rad * plan.plane.turn_rad, quadratic))
+            .expected("half of pi")
+            .hint("use fewer --bursts, or --algorithm back-projection"));
 }
 
 IsarPlan plan_of(const SteppedRows& rows, std::size_t first, std::size_t count, const IsarOptions& options,
@@ -212,11 +214,13 @@ void remark_on_loss(IsarImage& made) {
   if (strongest == nullptr || !(strongest->amplitude > 0.0) || !stands_alone(made, *strongest)) return;
   const double lost_db = -core::amplitude_db(strongest->found->amplitude / strongest->amplitude);
   if (!(lost_db > max_db)) return;
-  made.losses.push_back(core::problem_of(
-      core::Severity::warning,
-      fmt::format("the motion that was estimated leaves target {}, the strongest, {:.2g} dB below its echoes",
-                  strongest->target + 1, lost_db),
-      {}, fmt::format("at most {:g} dB", max_db), "use --motion scene, or fewer or more --bursts"));
+  made.losses.push_back(
+      core::warning(
+          "isar.motion-residual",
+          fmt::format("the motion that was estimated leaves target {}, the strongest, {:.2g} dB below its echoes",
+                      strongest->target + 1, lost_db))
+          .expected(fmt::format("at most {:g} dB", max_db))
+          .hint("use --motion scene, or fewer or more --bursts"));
 }
 
 signal::WindowFunction over_unit(const signal::SarWindow& window) {

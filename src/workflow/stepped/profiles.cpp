@@ -57,10 +57,12 @@ void remark_on_window(SteppedInput& input, const SeriesOptions& options, const R
   const bool short_begin = !options.from_m && shown.from_m > window.from_m;
   const bool short_end = !options.to_m && shown.to_m < window.to_m;
   if (!short_begin && !short_end) return;
-  input.problems.push_back(core::problem_of(
-      core::Severity::note,
-      "the recorded samples do not show all of the script's window: profiles end with what they show",
-      stretch_text(shown), stretch_text(window), "to see the rest, simulate the script, or record a longer window"));
+  input.problems.push_back(
+      core::note("profiles.window-not-shown",
+                 "the recorded samples do not show all of the script's window: profiles end with what they show")
+          .found(stretch_text(shown))
+          .expected(stretch_text(window))
+          .hint("to see the rest, simulate the script, or record a longer window"));
 }
 
 void expect_ranges(SteppedInput& input, const SeriesOptions& options) {
@@ -84,16 +86,17 @@ void expect_ranges(SteppedInput& input, const SeriesOptions& options) {
     throw core::InvalidRequest(fmt::format("a profile of {:.3g} bins cannot be held", bins),
                                "choose fewer ranges with --from and --to, or less --oversampling");
   if (from_m < shown.from_m || to_m > shown.to_m)
-    input.problems.push_back(core::problem_of(
-        core::Severity::warning, "the ranges go beyond those that were recorded: the profiles are empty there",
-        stretch_text({from_m, to_m}), recorded, {}));
+    input.problems.push_back(
+        core::warning("profiles.ranges-not-recorded",
+                      "the ranges go beyond those that were recorded: the profiles are empty there")
+            .found(stretch_text({from_m, to_m}))
+            .expected(recorded));
   else
     remark_on_window(input, options, shown);
 }
 
 void find_problems(SteppedInput& input, const SeriesOptions& options) {
-  std::ranges::move(diagnose_profiles(input.rows, {options.velocity, options.speed_mps}),
-                    std::back_inserter(input.problems));
+  core::append(input.problems, diagnose_profiles(input.rows, {options.velocity, options.speed_mps}));
   input.problems = core::ranked(std::move(input.problems));
 }
 

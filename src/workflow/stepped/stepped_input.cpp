@@ -14,7 +14,7 @@ SteppedInput of_script(const RecordingArguments& arguments, SteppedUse use, cons
   SteppedInput stepped = stepped_input_of(input.scene, number, input.resolved, use);
   // What `check` says of SRP does not concern bursts that are cut here.
   std::erase_if(input.problems, [](const core::Problem& p) { return p.subject.field == "processing"; });
-  std::ranges::move(input.problems, std::back_inserter(stepped.problems));
+  core::append(stepped.problems, std::move(input.problems));
   stepped.sources = std::move(input.sources);
   if (core::has_errors(stepped.problems)) throw core::InvalidRequest(core::ranked(std::move(stepped.problems)));
   return stepped;

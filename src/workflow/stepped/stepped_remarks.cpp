@@ -39,28 +39,31 @@ void remark_on_band(core::Problems& problems, const signal::SteppedBand& band, c
   if (w.steps < 2) return;
   const double step_hz = std::abs(w.carrier_step_hz);
   if (w.subband_hz > 0.0 && band.gap_share() > 1e-9 && w.subband_hz < step_hz * (1.0 - 1e-9))
-    problems.push_back(core::problem_of(
-        core::Severity::warning, "the steps are wider than the band of the pulses: the joined band has gaps",
-        fmt::format("steps of {}, sub-bands of {}", hz_text(step_hz), hz_text(w.subband_hz)),
-        "steps up to the bandwidth of the pulse",
-        fmt::format("targets get grating lobes {:.4g} m apart; use smaller steps or a wider chirp",
-                    limits.unambiguous_range_m)));
+    problems.push_back(
+        core::warning("stepped.gaps", "the steps are wider than the band of the pulses: the joined band has gaps")
+            .found(fmt::format("steps of {}, sub-bands of {}", hz_text(step_hz), hz_text(w.subband_hz)))
+            .expected("steps up to the bandwidth of the pulse")
+            .hint(fmt::format("targets get grating lobes {:.4g} m apart; use smaller steps or a wider chirp",
+                              limits.unambiguous_range_m)));
   if (w.subband_hz > 0.0 || limits.seen_m <= limits.unambiguous_range_m * (1.0 + 1e-9)) return;
-  problems.push_back(core::problem_of(
-      core::Severity::warning, "one range gate sees more than a profile is long: targets may fold onto each other",
-      fmt::format("a gate sees {:.4g} m, a profile is {:.4g} m long", limits.seen_m, limits.unambiguous_range_m),
-      fmt::format("steps up to {} or a pulse up to {:.4g} ns", hz_text(1.0 / w.pulse_width_s), 1e9 / step_hz),
-      "use smaller steps, a shorter pulse or chirps"));
+  problems.push_back(core::warning("stepped.gate-folds",
+                                   "one range gate sees more than a profile is long: targets may fold onto each other")
+                         .found(fmt::format("a gate sees {:.4g} m, a profile is {:.4g} m long", limits.seen_m,
+                                            limits.unambiguous_range_m))
+                         .expected(fmt::format("steps up to {} or a pulse up to {:.4g} ns",
+                                               hz_text(1.0 / w.pulse_width_s), 1e9 / step_hz))
+                         .hint("use smaller steps, a shorter pulse or chirps"));
 }
 
 void remark_on_gates(core::Problems& problems, const signal::SteppedBand& band) {
   const signal::SteppedWaveform& w = band.waveform();
   if (w.subband_hz > 0.0 || w.sample_rate_hz * (w.seen_to_s - w.seen_from_s) >= 1.0 - 1e-9) return;
-  problems.push_back(core::problem_of(
-      core::Severity::warning,
-      "the range gates are farther apart than the pulse is long: targets between them are lost",
-      fmt::format("gates {:.4g} m apart", radar::range_of_cycle(w.sample_rate_hz, w.light_speed_mps)),
-      fmt::format("at least {}", hz_text(1.0 / (w.seen_to_s - w.seen_from_s))), "raise the sampling frequency"));
+  problems.push_back(
+      core::warning("stepped.gates-apart",
+                    "the range gates are farther apart than the pulse is long: targets between them are lost")
+          .found(fmt::format("gates {:.4g} m apart", radar::range_of_cycle(w.sample_rate_hz, w.light_speed_mps)))
+          .expected(fmt::format("at least {}", hz_text(1.0 / (w.seen_to_s - w.seen_from_s))))
+          .hint("raise the sampling frequency"));
 }
 
 void remark_on_targets(core::Problems& problems, const SteppedRows& rows, const signal::SteppedLimits& limits) {
@@ -71,10 +74,10 @@ void remark_on_targets(core::Problems& problems, const SteppedRows& rows, const 
   const double extent_m = extent.farthest_m - extent.nearest_m;
   // Within what one gate sees, targets so far apart share their bins.
   if (extent.empty() || extent_m <= limits.unambiguous_range_m || limits.seen_m <= limits.unambiguous_range_m) return;
-  problems.push_back(core::problem_of(core::Severity::warning, "the targets reach farther than a profile is long",
-                                      fmt::format("{:.4g} m", extent_m),
-                                      fmt::format("up to {:.4g} m, c/2 over the step", limits.unambiguous_range_m),
-                                      "some of them appear in the wrong place; use smaller steps"));
+  problems.push_back(core::warning("stepped.targets-fold", "the targets reach farther than a profile is long")
+                         .found(fmt::format("{:.4g} m", extent_m))
+                         .expected(fmt::format("up to {:.4g} m, c/2 over the step", limits.unambiguous_range_m))
+                         .hint("some of them appear in the wrong place; use smaller steps"));
 }
 
 void remark_on_speed(core::Problems& problems, const SteppedRows& rows, const signal::SteppedLimits& limits,
@@ -89,21 +92,22 @@ void remark_on_speed(core::Problems& problems, const SteppedRows& rows, const si
   const double smear = limits.smear_cells(widest);
   const double shift = limits.shift_m(widest);
   if (smear <= 0.5 + 1e-9 && std::abs(shift) < limits.resolution_m) return;
-  problems.push_back(core::problem_of(
-      core::Severity::warning,
-      fmt::format("targets move during a burst: they are smeared over {:.3g} cells and shifted by {:.4g} m", smear,
-                  shift),
-      fmt::format("{:.4g} m/s{}", widest, compensated_mps ? " beyond the speed that is compensated" : ""),
-      fmt::format("up to {:.3g} m/s", limits.tolerable_mps),
-      compensated_mps ? "the targets have speeds of their own; compensate the one that matters"
-                      : "compensate it: --velocity scene, estimated or a number"));
+  problems.push_back(
+      core::warning(
+          "stepped.targets-smear",
+          fmt::format("targets move during a burst: they are smeared over {:.3g} cells and shifted by {:.4g} m", smear,
+                      shift))
+          .found(fmt::format("{:.4g} m/s{}", widest, compensated_mps ? " beyond the speed that is compensated" : ""))
+          .expected(fmt::format("up to {:.3g} m/s", limits.tolerable_mps))
+          .hint(compensated_mps ? "the targets have speeds of their own; compensate the one that matters"
+                                : "compensate it: --velocity scene, estimated or a number"));
   if (rows.band->waveform().subband_hz > 0.0 || std::abs(shift) <= 0.5 * limits.seen_m) return;
   problems.push_back(
-      core::problem_of(core::Severity::warning,
-                       "targets are so fast that they appear outside the range gates that see them: they are lost",
-                       fmt::format("shifted by {:.4g} m", shift),
-                       fmt::format("up to {:.4g} m, half of what a gate sees", 0.5 * limits.seen_m),
-                       "compensate their speed: --velocity scene, estimated or a number"));
+      core::warning("stepped.targets-lost",
+                    "targets are so fast that they appear outside the range gates that see them: they are lost")
+          .found(fmt::format("shifted by {:.4g} m", shift))
+          .expected(fmt::format("up to {:.4g} m, half of what a gate sees", 0.5 * limits.seen_m))
+          .hint("compensate their speed: --velocity scene, estimated or a number"));
 }
 
 // The first carriers of a list.
@@ -118,41 +122,44 @@ std::string carriers_text(const radar::CarrierPlan& carrier) {
 
 core::Problems problems_of_stepped(const simulate::Acquisition& acquisition, SteppedUse use, bool recorded) {
   core::Problems problems;
-  const auto add = [&](std::string message, std::string found, std::string expected, std::string hint) {
-    problems.push_back(core::problem_of(core::Severity::error, std::move(message), std::move(found),
-                                        std::move(expected), std::move(hint)));
-  };
   const std::optional<SteppedGrid> grid = stepped_grid(acquisition.link.carrier, acquisition.timing.pulses.first);
   const std::size_t steps = grid ? grid->steps : 1;
   const bool mono = acquisition.link.pulse.kind == radar::Pulse::Kind::mono;
   if (!grid)
-    add("the carriers of the list are not evenly spaced", carriers_text(acquisition.link.carrier),
-        "each carrier as often as the others, all of them multiples of one step apart",
-        "leave out what does not fit, or use a carrier of type \"stepped\"");
+    problems.push_back(core::error("the carriers of the list are not evenly spaced")
+                           .found(carriers_text(acquisition.link.carrier))
+                           .expected("each carrier as often as the others, all of them multiples of one step apart")
+                           .hint("leave out what does not fit, or use a carrier of type \"stepped\""));
   else if (steps > 1 && grid->step_hz == 0.0)
-    add("the frequency step is zero", "0 Hz", "a step up to the bandwidth of the pulse", "");
+    problems.push_back(
+        core::error("the frequency step is zero").found("0 Hz").expected("a step up to the bandwidth of the pulse"));
   else if (use == SteppedUse::profiles && steps < 2)
-    add("synthetic range profiles need a carrier with at least two frequency steps", "one carrier",
-        "a carrier of type \"stepped\" or \"list\"",
-        "for chirps on one carrier compress the recording: processing = \"matched-filter\"");
+    problems.push_back(core::error("synthetic range profiles need a carrier with at least two frequency steps")
+                           .found("one carrier")
+                           .expected("a carrier of type \"stepped\" or \"list\"")
+                           .hint("for chirps on one carrier compress the recording: processing = \"matched-filter\""));
   else if (use == SteppedUse::isar && steps < 2 && mono)
-    add("neither does the carrier step nor is the pulse modulated: there is no resolution in range",
-        "a pulse of type \"mono\" on one carrier", "a carrier of type \"stepped\" or \"list\", or a modulated pulse",
-        "");
+    problems.push_back(
+        core::error("neither does the carrier step nor is the pulse modulated: there is no resolution in range")
+            .found("a pulse of type \"mono\" on one carrier")
+            .expected("a carrier of type \"stepped\" or \"list\", or a modulated pulse"));
   if (recorded && acquisition.reception.is_profile())
-    add("the file holds range profiles already, not the echoes of single pulses", "processing \"srp\"",
-        "\"raw\" or \"matched-filter\"", "record the pulses with processing = \"raw\"");
+    problems.push_back(core::error("the file holds range profiles already, not the echoes of single pulses")
+                           .found("processing \"srp\"")
+                           .expected("\"raw\" or \"matched-filter\"")
+                           .hint("record the pulses with processing = \"raw\""));
   if (recorded && acquisition.reception.is_compressed() &&
       acquisition.scene->conventions.compression != simulate::Conventions::Compression::keeps_peak)
-    add("the classic profile repeats or leaves out samples of this compressed recording", "", "",
-        "use raw data, or the physical profile");
+    problems.push_back(core::error("the classic profile repeats or leaves out samples of this compressed recording")
+                           .hint("use raw data, or the physical profile"));
   const std::int64_t burst = grid ? grid->burst_pulses() : 1;
   const std::int64_t first = radar::floor_divide(acquisition.timing.pulses.first + burst - 1, burst);
   if (radar::floor_divide(acquisition.timing.pulses.last + 1, burst) <= first)
-    add("the recording holds no whole burst",
-        fmt::format("pulses {} to {}", acquisition.timing.pulses.first, acquisition.timing.pulses.last),
-        fmt::format("all {0} pulses of a burst; a burst begins at each multiple of {0}", burst),
-        "lengthen the azimuth window");
+    problems.push_back(
+        core::error("the recording holds no whole burst")
+            .found(fmt::format("pulses {} to {}", acquisition.timing.pulses.first, acquisition.timing.pulses.last))
+            .expected(fmt::format("all {0} pulses of a burst; a burst begins at each multiple of {0}", burst))
+            .hint("lengthen the azimuth window"));
   return problems;
 }
 
@@ -166,8 +173,8 @@ core::Problems diagnose_stepped(const SteppedRows& rows, SteppedUse use, std::op
   // Images take the motion of each pulse out.
   if (use == SteppedUse::profiles) remark_on_speed(problems, rows, limits, speed_mps);
   if (rows.dropped_pulses > 0)
-    problems.push_back(core::problem_of(core::Severity::note, "pulses of incomplete bursts at the ends are left out",
-                                        fmt::format("{}", rows.dropped_pulses), "", ""));
+    problems.push_back(core::note("stepped.incomplete-bursts", "pulses of incomplete bursts at the ends are left out")
+                           .found(fmt::format("{}", rows.dropped_pulses)));
   return problems;
 }
 

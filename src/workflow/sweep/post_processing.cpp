@@ -1,8 +1,6 @@
 #include "workflow/sweep/post_processing.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <memory>
 
@@ -121,7 +119,7 @@ PostProcessed followed_by_focus(const PostProcessing& post_processing, const Fol
     measured.threads = recording.threads;
     const MeasureReport report = measure(measured, observer);
     add_measured(figures, report);
-    std::ranges::copy(report.problems, std::back_inserter(followed.remarks));
+    core::append(followed.remarks, report.problems);
   }
   followed.figures = std::move(figures).take();
   return followed;

@@ -36,15 +36,8 @@ constexpr std::size_t max_mistakes = 20;
 
 const char* option_of(std::string_view setting) { return setting.starts_with(let_prefix) ? "" : "--set "; }
 
-core::Problem mistake(std::string message, std::string hint = {}) {
-  core::Problem problem;
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
-}
-
-core::Problem mistake_in(const std::string& setting, const std::string& message, std::string hint = {}) {
-  return mistake(fmt::format("{}{}: {}", option_of(setting), setting.substr(0, 80), message), std::move(hint));
+core::ProblemBuilder mistake_in(const std::string& setting, const std::string& message) {
+  return core::error(fmt::format("{}{}: {}", option_of(setting), setting.substr(0, 80), message));
 }
 
 // The same word for the same value, another one for each other value.
@@ -91,7 +84,7 @@ std::optional<SweepAxis> axis_of(const NamedThings& things, const std::string& s
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos) {
     problems.push_back(
-        mistake_in(setting, "there is no '='", "write OBJECT.FIELD=VALUES, as in Radar1.bandwidth=10MHz,20MHz"));
+        mistake_in(setting, "there is no '='").hint("write OBJECT.FIELD=VALUES, as in Radar1.bandwidth=10MHz,20MHz"));
     return std::nullopt;
   }
   const std::string texts(core::trimmed(std::string_view(setting).substr(equals + 1)));
@@ -133,11 +126,12 @@ class Setters {
 // What two draws of one value are, of which no two variations can be made.
 core::Problem equal_draws(const SweepAxis& axis, std::size_t first, std::size_t second) {
   const bool whole = axis.field.field->quantity == scene::Quantity::count;
-  return mistake(fmt::format("--set {}={}: the values of this law do not differ enough: draws {} and {} are both {}",
-                             axis.name, axis.law, first + 1, second + 1, axis.values[second]),
-                 fmt::format("{}; use a wider law or fewer draws, or pair them with something that differs, as in "
-                             "--zip --set seed=1..N",
-                             whole ? "draws are rounded to whole numbers" : "draws have nine digits"));
+  return core::error(
+             fmt::format("--set {}={}: the values of this law do not differ enough: draws {} and {} are both {}",
+                         axis.name, axis.law, first + 1, second + 1, axis.values[second]))
+      .hint(fmt::format(
+          "{}; use a wider law or fewer draws, or pair them with something that differs, as in --zip --set seed=1..N",
+          whole ? "draws are rounded to whole numbers" : "draws have nine digits"));
 }
 
 // Whether an axis sets the field that a problem is about.
@@ -226,8 +220,7 @@ void Sweep::read_axes(const scene::Scene& scene, const SweepValues& values, core
     for (SweepAxis& axis : table.axes) {
       if (problems.size() >= max_mistakes) return;
       axis.of_table = true;
-      core::Problem again = mistake(axis.name + ": ");
-      again.place = {table_.string(), heading_line_, 0};
+      core::Problem again = core::error(axis.name + ": ").in(table_.string(), heading_line_);
       add(std::move(axis), std::move(again));
     }
   }
@@ -258,10 +251,11 @@ void Sweep::draw(std::uint64_t seed, const SweepValues& values, core::Problems& 
   std::size_t count = values.draws;
   if (count == 0 && values.paired && listed != axes_.end()) count = listed->values.size();
   if (random && count == 0)
-    problems.push_back(mistake("--set: it is not said how often random values are drawn",
-                               "add --draws N, or pair them with other values, as in --zip --set seed=1..N"));
+    problems.push_back(core::error("--set: it is not said how often random values are drawn")
+                           .hint("add --draws N, or pair them with other values, as in --zip --set seed=1..N"));
   if (!random && count > 0 && values.draws > 0)
-    problems.push_back(mistake("--draws: no value is random", "write one as in --set 'Target1.rcs=normal(1, 0.2)'"));
+    problems.push_back(
+        core::error("--draws: no value is random").hint("write one as in --set 'Target1.rcs=normal(1, 0.2)'"));
   for (SweepAxis& axis : axes_) {
     if (axis.law.empty() || !problems.empty()) continue;
     scene::ValueList list = draw_values(axis.law, *axis.field.field, count, seed, key_of(axis.field));
@@ -283,8 +277,8 @@ void Sweep::set_size(core::Problems& problems) {
     size *= static_cast<double>(first.values.size());
   }
   if (size > static_cast<double>(max_variations)) {
-    problems.push_back(mistake(fmt::format("the sweep would have {:.0f} variations", size),
-                               "vary less at once, or pair the values with --zip"));
+    problems.push_back(core::error(fmt::format("the sweep would have {:.0f} variations", size))
+                           .hint("vary less at once, or pair the values with --zip"));
     problems.back().expected = fmt::format("{} at most", max_variations);
   }
   if (!problems.empty()) return;
@@ -337,8 +331,8 @@ core::Problem Sweep::repetition(const std::vector<std::size_t>& group, std::size
   for (const std::size_t i : group)
     values += fmt::format("{}{}={}", values.empty() ? "" : " ", axes_[i].name, axes_[i].values[second]);
   core::Problem problem =
-      mistake(fmt::format("variations {} and {} have the same values: {}", first + 1, second + 1, values),
-              "pair them with something that differs, as in --zip --set seed=1..N");
+      core::error(fmt::format("variations {} and {} have the same values: {}", first + 1, second + 1, values))
+          .hint("pair them with something that differs, as in --zip --set seed=1..N");
   if (std::ranges::all_of(group, [this](std::size_t i) { return !axes_[i].law.empty(); }))
     problem.hint =
         "the values of these laws do not differ enough: draws have nine digits, or are whole numbers; " + problem.hint;
@@ -358,9 +352,7 @@ core::Place Sweep::place_of_value(const SweepAxis& axis, std::size_t value) cons
 core::Problem Sweep::mistake_of(const SweepAxis& axis, std::size_t value, const std::string& message) const {
   const std::string setting = axis.name + "=" + axis.values.at(value);
   if (!axis.of_table) return mistake_in(setting, message);
-  core::Problem problem = mistake(fmt::format("{}: {}", core::clipped(setting), message));
-  problem.place = place_of_value(axis, value);
-  return problem;
+  return core::error(fmt::format("{}: {}", core::clipped(setting), message)).in(place_of_value(axis, value));
 }
 
 std::size_t Sweep::value_of(std::size_t variation, std::size_t axis) const {
@@ -425,8 +417,8 @@ scene::Scene Sweep::read_anew(std::size_t variation, core::Problems& problems, c
     problems = std::move(input.problems);
     if (stamp_of(source_.files) != source_stamp_)
       problems.push_back(
-          mistake(fmt::format("'{}' or a file that it names has changed since the sweep began", source_.file),
-                  "start the sweep again"));
+          core::error(fmt::format("'{}' or a file that it names has changed since the sweep began", source_.file))
+              .hint("start the sweep again"));
     return std::move(input.scene);
   } catch (core::InvalidRequest& refused) {
     problems = std::move(refused.problems);

@@ -44,7 +44,7 @@ class Looker {
     problems = scene::check(scene, alone);
     if (!core::has_errors(problems)) {
       const auto resolved = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(scene, alone));
-      std::ranges::move(simulate::survey(scene, resolved, alone), std::back_inserter(problems));
+      core::append(problems, simulate::survey(scene, resolved, alone));
       if (!core::has_errors(problems)) sizes = sizes_of(scene, resolved);
     }
     number_as_in_script(problems);

@@ -23,10 +23,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-core::Problem problem_of_file(const fs::path& path, std::string message, std::string hint) {
-  return core::problem_of(core::Severity::error, std::move(message), path.string(), {}, std::move(hint));
-}
-
 // Whether an earlier sweep wrote a table, or nothing is lost with it.
 bool is_own_table(const fs::path& path) {
   std::error_code none;
@@ -49,9 +45,11 @@ class OutputWatch {
     if (core::Problems never = problems_of_output(path, care(true)); !never.empty())
       return add(std::move(never.front()));
     if (fs::is_symlink(fs::symlink_status(path, none)))
-      return add(problem_of_file(path, "a link has the name of a file that the sweep makes", remove));
+      return add(core::error("a link has the name of a file that the sweep makes").found(path.string()).hint(remove));
     if (const fs::path other = taken_by(path); !other.empty())
-      return add(problem_of_file(path, fmt::format("this file and '{}' are one file", other.string()), remove));
+      return add(core::error(fmt::format("this file and '{}' are one file", other.string()))
+                     .found(path.string())
+                     .hint(remove));
     if (replace) return;
     for (core::Problem& exists : problems_of_output(path, care(false))) {
       exists.hint = request_.resume
@@ -67,8 +65,9 @@ class OutputWatch {
   void look_at_own(const fs::path& path, bool own) {
     look_at(path, request_.force || request_.resume);
     if (request_.resume && !request_.force && !own)
-      add(problem_of_file(path, "--resume leaves this file alone: no sweep wrote it",
-                          "replace it with --force, or give the tables and the journal another name with --table"));
+      add(core::error("--resume leaves this file alone: no sweep wrote it")
+              .found(path.string())
+              .hint("replace it with --force, or give the tables and the journal another name with --table"));
   }
 
   // A file that is there and stays.

@@ -236,14 +236,12 @@ void expect_nobody_at_work(const fs::path& folder, const std::string& stem, cons
   for (const fs::directory_entry& entry : journals_of(folder, stem)) {
     const SweepPart other = part_of_journal(entry.path(), stem);
     if (!meet(part, other) || !is_held(entry.path())) continue;
-    core::Problem problem = core::problem_of(
-        core::Severity::error,
-        other.count == 1
-            ? "this sweep is being made by another process"
-            : fmt::format("part {}/{} of this sweep is being made by another process", other.index + 1, other.count),
-        {}, {}, "wait for it, or end it and go on with --resume");
-    problem.place.file = entry.path().string();
-    throw core::RetryableError(core::Problems{std::move(problem)});
+    throw core::RetryableError(core::Problems{
+        core::error(other.count == 1 ? "this sweep is being made by another process"
+                                     : fmt::format("part {}/{} of this sweep is being made by another process",
+                                                   other.index + 1, other.count))
+            .hint("wait for it, or end it and go on with --resume")
+            .in(entry.path().string())});
   }
 }
 

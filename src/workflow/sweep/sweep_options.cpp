@@ -1,7 +1,5 @@
 #include "workflow/sweep/sweep_options.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -116,7 +114,7 @@ OptionTable<SweepWords> sweep_option_table() {
 SweepRequest sweep_request(const SceneInput& input, const GivenWords& given) {
   SweepWords words;
   TakenProblems problems = sweep_option_table().take_words(given, words);
-  std::ranges::move(problems.late, std::back_inserter(problems.early));
+  core::append(problems.early, std::move(problems.late));
   if (!problems.early.empty()) throw core::InvalidRequest(std::move(problems.early));
   SweepRequest& request = words.request;
   request.post_processing = post_processing_of(words.post_processing);

@@ -128,7 +128,7 @@ SweepPlan plan_sweep(const SweepRequest& request, const core::Observer& observer
   plan.checks =
       check_sweep({request.scene, request.places, plan.sweep, plan.products, plan.open, request.counts, request.engine},
                   observer.control(threads));
-  std::ranges::move(plan.sweep.remarks(request.scene), std::back_inserter(plan.checks.problems));
+  core::append(plan.checks.problems, plan.sweep.remarks(request.scene));
   plan.refused = is_fatal(plan.checks.problems, request.strict);
   if (!plan.refused) observer.remarks(shortened(plan.checks.problems));
   return plan;
@@ -162,10 +162,9 @@ SweepFrame frame_of(const SweepRequest& request, const SweepPlan& plan, std::str
 
 core::Problems shortened(core::Problems problems) {
   if (problems.size() <= max_problems_told) return problems;
-  core::Problem rest;
-  rest.severity = core::Severity::note;
-  rest.message = fmt::format("{} more of this kind are not shown", problems.size() - max_problems_told);
-  rest.hint = "vary less at once to see all of them";
+  core::Problem rest =
+      core::note(fmt::format("{} more of this kind are not shown", problems.size() - max_problems_told))
+          .hint("vary less at once to see all of them");
   problems.resize(max_problems_told);
   problems.push_back(std::move(rest));
   return problems;

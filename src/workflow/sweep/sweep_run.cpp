@@ -185,7 +185,7 @@ class VariationRunner {
     PostProcessed followed = follow(rules_.post_processing, recording, stop_);
     row.figures = std::move(followed.figures);
     row.followed = mark_of(rules_.post_processing);
-    std::ranges::move(followed.remarks, std::back_inserter(remarks_));
+    core::append(remarks_, std::move(followed.remarks));
   }
 
   void make_table(const scene::GeometryTable& table, const fs::path& folder, SweepRow& row) const {

@@ -26,12 +26,15 @@ class TableReader {
   ValueTable read(std::string_view text) {
     const std::vector<scene::TableLine> lines = scene::table_lines(text);
     if (lines.size() < 2) {
-      tell(0, "the table has no values", {}, "a line of names of fields, then a line for each variation");
+      tell(
+          0,
+          core::error("the table has no values").expected("a line of names of fields, then a line for each variation"));
       return {};
     }
     if (lines.size() - 1 > max_variations) {
-      tell(lines.back().number, "the table has too many lines", core::counted(lines.size() - 1, "line"),
-           fmt::format("{} at most", max_variations));
+      tell(lines.back().number, core::error("the table has too many lines")
+                                    .found(core::counted(lines.size() - 1, "line"))
+                                    .expected(fmt::format("{} at most", max_variations)));
       return {};
     }
     heading_line_ = lines[0].number;
@@ -42,35 +45,32 @@ class TableReader {
   }
 
  private:
-  void tell(std::size_t line, std::string message, std::string found, std::string expected, std::string hint = {}) {
-    core::Problem problem = core::problem_of(core::Severity::error, std::move(message), std::move(found),
-                                             std::move(expected), std::move(hint));
-    problem.place = {file_, line, 0};
-    problems_.push_back(std::move(problem));
-  }
+  void tell(std::size_t line, core::ProblemBuilder problem) { problems_.push_back(std::move(problem).in(file_, line)); }
 
   std::vector<SweepAxis> axes_of(const scene::TableLine& line) {
     expect_whole_brackets(line);
     std::vector<SweepAxis> axes;
     if (line.cells.empty())
-      tell(line.number, "the first line of the table names no fields", core::quoted_word(line.text),
-           "names as in Radar1.bandwidth or seed");
+      tell(line.number, core::error("the first line of the table names no fields")
+                            .found(core::quoted_word(line.text))
+                            .expected("names as in Radar1.bandwidth or seed"));
     for (const scene::ColumnHeading& column : scene::headings_of(line)) {
       if (problems_.size() >= max_told) break;
       SweepAxis axis;
       axis.name = column.written;
       name(axis, column.unit.empty() ? "" : "0");
       if (axis.name.empty())
-        tell(line.number, "a column has no name", std::string(core::quoted_word(line.text)),
-             "names as in Radar1.bandwidth or seed");
+        tell(line.number, core::error("a column has no name")
+                              .found(std::string(core::quoted_word(line.text)))
+                              .expected("names as in Radar1.bandwidth or seed"));
       else if (axis.field.field == nullptr)
-        tell(line.number,
-             // What is wrong with a name of several words would quote them.
-             core::quoted_word(column.written) == column.written
-                 ? "a column is not named after a field: " + axis.field.failure
-                 : "a column is not named after a field",
-             core::quoted_word(column.written), "names as in Radar1.bandwidth or seed",
-             "leave other columns out of the table");
+        tell(line.number, core::error(  // What is wrong with a name of several words would quote them.
+                              core::quoted_word(column.written) == column.written
+                                  ? "a column is not named after a field: " + axis.field.failure
+                                  : "a column is not named after a field")
+                              .found(core::quoted_word(column.written))
+                              .expected("names as in Radar1.bandwidth or seed")
+                              .hint("leave other columns out of the table"));
       else if (!column.unit.empty())
         expect_unit(axis, column.unit);
       units_.push_back(column.unit);
@@ -99,26 +99,29 @@ class TableReader {
       if (open == std::string_view::npos || problems_.size() >= max_told) continue;
       const std::size_t close = cell.find(cell[open] == '[' ? ']' : ')', open);
       if (close == cell.size() - 1) continue;
-      tell(line.number,
-           close == std::string_view::npos ? "the bracket of a unit is not closed"
-                                           : "something follows a unit's bracket",
-           core::quoted_word(cell), "a name and its unit, as in Target1.x [m]");
+      tell(line.number, core::error(close == std::string_view::npos ? "the bracket of a unit is not closed"
+                                                                    : "something follows a unit's bracket")
+                            .found(core::quoted_word(cell))
+                            .expected("a name and its unit, as in Target1.x [m]"));
     }
   }
 
   void expect_unit(const SweepAxis& axis, const std::string& unit) {
     const std::string found = core::clipped(fmt::format("{} [{}]", axis.name, unit));
     if (!axis.is_number() || axis.is_seed())
-      return tell(heading_line_, fmt::format("{} has no unit", axis.name), found, axis.name + " alone");
+      return tell(heading_line_,
+                  core::error(fmt::format("{} has no unit", axis.name)).found(found).expected(axis.name + " alone"));
     if (const scene::QuantityReading one = scene::read_quantity("1 " + unit, axis.field.field->quantity); !one.value)
-      tell(heading_line_, fmt::format("{}: the unit does not fit: {}", axis.name, one.failure), found, {});
+      tell(heading_line_,
+           core::error(fmt::format("{}: the unit does not fit: {}", axis.name, one.failure)).found(found));
   }
 
   void add_line(const scene::TableLine& line, ValueTable& table) {
     std::vector<SweepAxis>& axes = table.axes;
     if (line.cells.size() != axes.size()) {
-      tell(line.number, "a line has another number of values than there are columns",
-           core::counted(line.cells.size(), "value"), fmt::format("{}", axes.size()));
+      tell(line.number, core::error("a line has another number of values than there are columns")
+                            .found(core::counted(line.cells.size(), "value"))
+                            .expected(fmt::format("{}", axes.size())));
       return;
     }
     table.lines.push_back(line.number);
@@ -136,7 +139,7 @@ class TableReader {
       failure = fmt::format("'{}' is not a number in {}", core::quoted_word(cell), unit);
     }
     if (!failure.empty() && problems_.size() < max_told)
-      tell(line.number, fmt::format("{}: {}", axis.name, failure), {}, {});
+      tell(line.number, core::error(fmt::format("{}: {}", axis.name, failure)));
     axis.values.push_back(std::move(cell));
   }
 
