@@ -20,7 +20,7 @@ struct FaultOfToml {};
     }
 #include <toml++/toml.h>
 
-#include "core/toml/document.hpp"
+#include "core/toml/parse.hpp"
 #include "core/toml/values.hpp"
 
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "core/toml/document.hpp"
 #include "core/toml/lines.hpp"
+#include "core/toml/parse.hpp"
 #include "core/toml/values.hpp"
 
 namespace {

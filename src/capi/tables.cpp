@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "capi/call.hpp"
+#include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
 
 using namespace sarsim;

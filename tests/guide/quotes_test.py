@@ -13,7 +13,7 @@ import unittest
 STRING = r'"((?:[^"\\]|\\.)*)"'
 # Files whose messages users meet; each message in them has to be in the guide.
 EXPLAINED = [
-    "raster/cphd/vector_check.cpp",
+    "raster/cphd/cphd_file.cpp",
     "raster/table/raster_gate.cpp",
     "scene/check/check_findings.cpp",
     "scene/check/check_function_ends.cpp",
@@ -163,7 +163,7 @@ def check_guards(project):
     return [f"physics.md names a test that does not exist: {name}" for name in missing_guards(page, tests)]
 
 
-# What the windows are called on the page, by their names in MainWindow::window_names().
+# What the windows are called on the page, by their names in ToolWindows::names().
 WINDOWS = {
     "main": "Main window",
     "objects": "Objects",
@@ -196,13 +196,13 @@ WINDOWS = {
 
 
 def check_windows(project):
-    source = (project / "src/gui/frame/main_menus.cpp").read_text(encoding="utf-8")
+    source = (project / "src/gui/frame/tool_windows.cpp").read_text(encoding="utf-8")
     page = (project / "docs/guide/windows.md").read_text(encoding="utf-8")
-    names = re.findall(r'"(\w+)"', source.split("MainWindow::window_names()")[1].split("}")[0])
+    names = re.findall(r'"(\w+)"', source.split("ToolWindows::names()")[1].split("}")[0])
     wrong = [
         f"a window of the program is not in windows.md: {name}" for name in names if WINDOWS.get(name, "\0") not in page
     ]
-    return wrong if len(names) > 20 else [*wrong, "the names of the windows were not found in src/gui/frame/main_menus.cpp"]
+    return wrong if len(names) > 20 else [*wrong, "the names of the windows were not found in src/gui/frame/tool_windows.cpp"]
 
 
 def numbers_of(text):

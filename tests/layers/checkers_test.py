@@ -135,6 +135,11 @@ class Layers(unittest.TestCase):
         found = self.lines({**files, "scene/model/b.cpp": ""}, cmake)
         self.assertEqual(found, ["scene/model:1: the room has 41 units, more than 40"])
 
+    def test_a_source_of_too_many_lines_is_found(self):
+        self.passes({"math/b.cpp": "\n" * 800})
+        found = self.lines({"math/b.cpp": "\n" * 801})
+        self.assertEqual(found, ["math/b.cpp:1: the source has 801 lines, more than 800"])
+
     def test_a_room_that_uses_a_later_one_is_found(self):
         found = self.lines({}, 'sarsim_folder(scene ROOMS "model: check" "check: model")\n')
         self.assertEqual(found, ["CMakeLists.txt:1: scene/model uses check, which is not declared before it"])

@@ -15,6 +15,7 @@
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
 #include "workflow/convert/convert_options.hpp"
+#include "workflow/input/recording_input.hpp"
 
 namespace sarsim::cli {
 

@@ -16,6 +16,7 @@
 #include "scene/model/world_frame.hpp"
 #include "simulate/survey/derived.hpp"
 #include "simulate/survey/survey.hpp"
+#include "simulate/survey/survey_echoes.hpp"
 #include "workflow/focus/image_forecast.hpp"
 #include "workflow/input/cloud_input.hpp"
 #include "workflow/input/echo_words.hpp"

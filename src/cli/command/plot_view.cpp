@@ -10,6 +10,7 @@
 #include "core/maths/constants.hpp"
 #include "core/task/parallel.hpp"
 #include "picture/scene/scene_view.hpp"
+#include "picture/scene/snapshot_maker.hpp"
 #include "scene/model/scene_index.hpp"
 #include "workflow/input/output_names.hpp"
 

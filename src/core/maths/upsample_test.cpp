@@ -7,7 +7,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::core {
-namespace finer_test {
+namespace upsample_test {
 
 using Samples = std::vector<std::complex<double>>;
 
@@ -49,5 +49,5 @@ TEST(UpsampledSamples, OfFactorOneAreTheSame) {
   expect_same(upsample(Samples{{2.0, 1.0}}, 0.0, 3), Samples(3, {2.0, 1.0}));
 }
 
-}  // namespace finer_test
+}  // namespace upsample_test
 }  // namespace sarsim::core

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/toml/parse.hpp"
+
 namespace sarsim::core::toml {
 namespace lines_test {
 

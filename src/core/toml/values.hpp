@@ -75,4 +75,14 @@ struct DateTime {
 /// A date-time of any of the four kinds; the fields that it does not have are 0. Nothing for other kinds.
 [[nodiscard]] std::optional<DateTime> date_time(std::string_view text, const Value& value);
 
+/// What is wrong with a word; all parts are literals.
+struct Complaint {
+  const char* message = nullptr;  ///< Null where nothing is wrong.
+  const char* expected = "";
+  const char* hint = "";
+};
+
+/// What is wrong with a word that `scalar_kind` took for a number, boolean or date-time.
+[[nodiscard]] Complaint complaint_about(std::string_view word, Kind kind);
+
 }  // namespace sarsim::core::toml

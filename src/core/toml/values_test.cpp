@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/text/number_text.hpp"
+#include "core/toml/parse.hpp"
 
 namespace sarsim::core::toml {
 namespace values_test {

@@ -12,36 +12,43 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolBar>
 
 #include <memory>
+#include <utility>
 
 #include "gui/common/screen_size.hpp"
 #include "gui/echo/data_saver.hpp"
+#include "gui/echo/echo_panel.hpp"
 #include "gui/echo/simulation_window.hpp"
 #include "gui/echo/simulation_windows.hpp"
 #include "gui/frame/document_keeper.hpp"
+#include "gui/frame/document_tabs.hpp"
+#include "gui/frame/layout_keeper.hpp"
 #include "gui/frame/log_panel.hpp"
+#include "gui/frame/main_menus.hpp"
 #include "gui/frame/problem_badge.hpp"
 #include "gui/frame/problem_watch.hpp"
+#include "gui/frame/start_guide.hpp"
+#include "gui/frame/tool_windows.hpp"
+#include "gui/frame/workbench.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/image_viewers.hpp"
 #include "gui/live/live_panel.hpp"
 #include "gui/objects/function_editor.hpp"
 #include "gui/objects/object_tree.hpp"
 #include "gui/objects/property_panel.hpp"
-#include "gui/objects/target_table.hpp"
-#include "gui/runs/product_window.hpp"
 #include "gui/runs/run_panel.hpp"
 #include "gui/runs/save_queue.hpp"
 #include "gui/runs/stored_simulations.hpp"
-#include "gui/scene/geometry_window.hpp"
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"
-#include "gui/scene/time_bar.hpp"
 #include "gui/script/script_editor.hpp"
+#include "gui/start/tour_panel.hpp"
 #include "gui/start/welcome_page.hpp"
+#include "picture/live/live_engine.hpp"
 #include "scene/edit/edit.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 #include "workflow/input/cloud_input.hpp"
 
 namespace sarsim::gui {
@@ -56,6 +63,17 @@ QStringList dropped_files(const QMimeData* data) {
   return files;
 }
 
+// The first place in a widget that takes the keyboard.
+QWidget* first_inside(QWidget* widget) {
+  if (widget->focusProxy() != nullptr) return widget->focusProxy();
+  if (widget->focusPolicy() != Qt::NoFocus) return widget;
+  for (QWidget* next = widget->nextInFocusChain(); next != widget; next = next->nextInFocusChain())
+    if (widget->isAncestorOf(next) && (next->focusPolicy() & Qt::TabFocus) != 0 && next->isEnabled() &&
+        next->isVisible())
+      return next;
+  return nullptr;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
@@ -68,9 +86,9 @@ MainWindow::MainWindow(QWidget* parent)
   make_docks();
   make_badge();
   make_menus();
-  make_tool_bar();
   make_document_row();
-  make_start();
+  start_ = new StartGuide(parts(), *tools_, *this);
+  connect(start_, &StartGuide::file_wanted, this, &MainWindow::open_any);
   ask_end_work = [this](const QStringList& work) {
     QMessageBox box(QMessageBox::Question, tr("Close"), tr("This is still under way and would be ended:"),
                     QMessageBox::Yes | QMessageBox::No, this);
@@ -89,8 +107,6 @@ MainWindow::MainWindow(QWidget* parent)
     show_state();
   });
   connect(&session_, &Session::selection_changed, this, &MainWindow::show_state);
-  connect(documents_, &DocumentKeeper::recent_changed, this, &MainWindow::fill_recent);
-  fill_recent();
   show_title();
   show_state();
   resize(size_on_screen(*this, {fontMetrics().averageCharWidth() * 214, fontMetrics().height() * 50}));
@@ -104,6 +120,28 @@ MainWindow::~MainWindow() {
     if (child->isWindow() && qobject_cast<QDockWidget*>(child) == nullptr) delete child;
   delete centralWidget();
   for (const auto& [name, dock] : docks_) delete dock;
+}
+
+Workbench MainWindow::parts() {
+  return {session_,      *documents_,          *scene_,         *tree_,  *panel_, *script_,
+          *simulations_, *simulation_windows_, *image_viewers_, *saver_, docks_};
+}
+
+void MainWindow::make_menus() {
+  tools_ = new ToolWindows(parts(), *this);
+  layouts_ = new LayoutKeeper(*this, docks_);
+  auto* const menus = new MainMenus(parts(), *tools_, *layouts_, *this);
+  connect(menus, &MainMenus::file_wanted, this, &MainWindow::open_any);
+  connect(menus, &MainMenus::close_wanted, this, &MainWindow::close_what_is_active);
+  connect(menus, &MainMenus::document_step_wanted, this, &MainWindow::step_to_document);
+  connect(menus, &MainMenus::object_wanted, this, &MainWindow::add_new);
+  connect(menus, &MainMenus::edit_wanted, this, &MainWindow::edit_object);
+  connect(menus, &MainMenus::function_wanted, this, &MainWindow::edit_function);
+  connect(menus, &MainMenus::appearance_wanted, this, &MainWindow::set_appearance);
+  connect(menus, &MainMenus::panel_step_wanted, this, &MainWindow::go_to_panel);
+  connect(menus, &MainMenus::search_wanted, this, [this] { start_->show_search(); });
+  connect(menus, &MainMenus::welcome_wanted, this, [this] { start_->show_welcome(); });
+  connect(menus, &MainMenus::tour_wanted, this, [this] { start_->show_tour(); });
 }
 
 QDockWidget* MainWindow::add_dock(QWidget* widget, const QString& title, const char* name, Qt::DockWidgetArea area) {
@@ -148,20 +186,13 @@ void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (sized_) return;
   sized_ = true;
-  if (welcome_->isHidden())
+  if (start_->welcome().isHidden())
     scene_->scene().setFocus();
   else
-    welcome_->setFocus();
-  restore_layout();
+    start_->welcome().setFocus();
+  layouts_->restore();
   // Docks take sizes only once the window has its own.
-  if (!layout_is_kept_) QTimer::singleShot(0, this, &MainWindow::size_docks);
-}
-
-void MainWindow::fill_recent() {
-  recent_->clear();
-  for (const QString& path : documents_->recent())
-    connect(recent_->addAction(path), &QAction::triggered, this, [this, path] { open_any(path); });
-  recent_->setEnabled(!recent_->isEmpty());
+  if (!layouts_->kept()) QTimer::singleShot(0, layouts_, &LayoutKeeper::size_docks);
 }
 
 void MainWindow::show_title() {
@@ -201,8 +232,7 @@ void MainWindow::make_badge() {
     script_->list_also(problems_->of_echoes());
   });
   connect(badge, &ProblemBadge::clicked, this, [this] {
-    docks_["script"]->show();
-    docks_["script"]->raise();
+    parts().bring("script");
     const core::Problems& all = problems_->problems();
     script_->show_problem(all.empty() ? core::Place{} : all.front().place);
   });
@@ -224,8 +254,7 @@ void MainWindow::add_new(scene::AnyObject object) {
 
 void MainWindow::edit_object(scene::ObjectId id) {
   session_.select_only(id);
-  docks_["properties"]->show();
-  docks_["properties"]->raise();
+  parts().bring("properties");
   panel_->focus_first();
 }
 
@@ -242,23 +271,6 @@ void MainWindow::show_object_menu(std::optional<scene::ObjectId> id, QPoint glob
   menu->exec(global);
 }
 
-void MainWindow::show_geometry() {
-  if (geometry_ == nullptr) {
-    geometry_ = new GeometryWindow(session_, this);
-    geometry_->setWindowFlag(Qt::Window);
-  }
-  geometry_->show();
-  geometry_->raise();
-  geometry_->activateWindow();
-}
-
-void MainWindow::show_targets() {
-  if (targets_ == nullptr) targets_ = new TargetTableDialog(session_, this);
-  targets_->show();
-  targets_->raise();
-  targets_->activateWindow();
-}
-
 void MainWindow::set_appearance(Appearance appearance) {
   sarsim::gui::set_appearance(*qApp, appearance);
   emit session_.selection_changed();
@@ -271,9 +283,7 @@ QStringList MainWindow::work_under_way() const {
   for (const ImageViewer* viewer : image_viewers_->viewers())
     if (viewer->exporting())
       work << tr("Samples of %1 are being exported.").arg(QString::fromStdString(viewer->path().filename().string()));
-  if (geometry_ != nullptr && geometry_->saving()) work << tr("A geometry table is being saved.");
-  if (products_ != nullptr && products_->busy()) work << tr("An image is being made from echoes.");
-  return work;
+  return work + tools_->work_under_way();
 }
 
 bool MainWindow::may_end_work() {
@@ -285,19 +295,18 @@ void MainWindow::end_work() {
   saver_->queue().cancel_all();
   simulations_->run_panel().cancel();
   for (ImageViewer* viewer : image_viewers_->viewers()) viewer->cancel_export();
-  if (geometry_ != nullptr) geometry_->cancel_saving();
-  if (products_ != nullptr) products_->stop();
+  tools_->end_work();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   // Nothing ends before every question is answered.
-  commit_typed();
+  parts().commit_typed();
   if (!documents_->may_close_all() || !may_end_work()) {
     event->ignore();
     return;
   }
   end_work();
-  keep_layout();
+  layouts_->keep();
   documents_->end();
   event->accept();
 }
@@ -315,11 +324,161 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 bool MainWindow::open_any(const QString& path) {
   if (!is_data_file(path.toStdString())) {
-    commit_typed();
+    parts().commit_typed();
     return documents_->open_file(path);
   }
   image_viewers_->open_file(path.toStdString());
   return true;
+}
+
+bool MainWindow::apply_layout(const QString& name) { return layouts_->apply(name); }
+
+QStringList MainWindow::layout_names() const { return layouts_->names(); }
+
+void MainWindow::save_layout(const QString& name) { layouts_->save(name); }
+
+void MainWindow::use_layout(const QString& name) { layouts_->use(name); }
+
+void MainWindow::set_first_layout(const QString& name) { layouts_->set_first(name); }
+
+void MainWindow::set_guide(GuideSite guide) { tools_->set_guide(std::move(guide)); }
+
+QStringList MainWindow::window_names() { return ToolWindows::names(); }
+
+QWidget* MainWindow::window_named(const QString& name) {
+  if (name == "main") return this;
+  if (docks_.contains(name)) {
+    parts().bring(name);
+    return docks_[name];
+  }
+  if (name == "commands") return start_->search_box();
+  if (name == "welcome") return start_->show_welcome(), &start_->welcome();
+  if (name == "tour") return start_->tour_panel();
+  return tools_->named(name);
+}
+
+// --- Echoes beside the scene
+
+void MainWindow::make_echo_dock() {
+  echoes_ = new EchoPanel;
+  add_dock(echoes_, tr("Echoes"), "echoes", Qt::RightDockWidgetArea)->hide();
+  connect(simulation_windows_, &SimulationWindows::opened, this, &MainWindow::place_echoes);
+  connect(echoes_, &EchoPanel::raw_wanted, this, [this] { simulation_windows_->open_new(scene::Processing::raw); });
+  connect(echoes_, &EchoPanel::compressed_wanted, this,
+          [this] { simulation_windows_->open_new(scene::Processing::matched_filter); });
+  // When the scene and its windows are as they will be.
+  first_echoes_.setSingleShot(true);
+  connect(&first_echoes_, &QTimer::timeout, this, &MainWindow::show_first_echoes);
+  const auto soon = [this] { first_echoes_.start(0); };
+  connect(&session_, &Session::document_replaced, this, soon);
+  connect(docks_["echoes"], &QDockWidget::visibilityChanged, this, soon);
+  connect(echoes_, &EchoPanel::alone_wanted, this, [this](SimulationWindow* window) {
+    window->setParent(this, Qt::Window);
+    window->resize(size_on_screen(*this, {1100, 760}));
+    window->show();
+  });
+}
+
+// Those of a scene that is opened are there without being asked for, once: of its first recording, otherwise of its
+// first radar. Those of very many targets would take the processors from the image, whose pictures came half as often.
+void MainWindow::show_first_echoes() {
+  const scene::Scene& scene = session_.scene();
+  if (!isVisible() || !docks_["echoes"]->isVisible() || scene.radars.empty()) return;
+  if (scene.targets.size() + workflow::cloud_points(scene) > picture::many_targets) return;
+  if (!has_had_echoes_.insert(session_.number()).second || !simulation_windows_->windows().empty()) return;
+  if (scene.simulations.empty())
+    simulation_windows_->open_new(scene::Processing::raw);
+  else
+    simulation_windows_->open_stored({scene::ObjectKind::simulation, 0});
+}
+
+// Beside the scene where that is seen and there is room; otherwise the window stands by itself.
+void MainWindow::place_echoes(SimulationWindow* window) {
+  if (!isVisible() || !docks_["echoes"]->isVisible()) return;
+  echoes_->take(window);
+  docks_["echoes"]->raise();
+}
+
+// --- Several documents in one window: the row of tabs, turning from one to another, closing
+
+// Above everything that shows the document, and only where there is a choice.
+void MainWindow::make_document_row() {
+  addToolBarBreak();
+  document_row_ = addToolBar(tr("Open scenes"));
+  document_row_->setObjectName("document_row");
+  document_row_->setMovable(false);
+  document_row_->toggleViewAction()->setVisible(false);
+  auto* const tabs = new DocumentTabs(session_, *documents_, document_row_);
+  document_row_->addWidget(tabs);
+  connect(tabs, &DocumentTabs::turn_wanted, this, &MainWindow::turn_to_document);
+  connect(tabs, &DocumentTabs::close_wanted, this, &MainWindow::close_document);
+  connect(&session_, &Session::row_changed, this, &MainWindow::show_document_row);
+  connect(layouts_, &LayoutKeeper::restored, this, &MainWindow::show_document_row);
+  show_document_row();
+}
+
+void MainWindow::show_document_row() {
+  const bool several = session_.document_count() > 1;
+  document_row_->setVisible(several);
+  for (const char* name : {"file_next", "file_previous"})
+    if (auto* const action = findChild<QAction*>(name)) action->setEnabled(several);
+}
+
+void MainWindow::turn_to_document(int index) {
+  parts().commit_typed();
+  session_.turn_to(static_cast<std::size_t>(index));
+}
+
+void MainWindow::step_to_document(int step) {
+  const auto count = static_cast<int>(session_.document_count());
+  turn_to_document((static_cast<int>(session_.at_hand()) + step + count) % count);
+}
+
+// Where the last one was closed there is a choice of what to begin with.
+void MainWindow::close_document(int index) {
+  turn_to_document(index);
+  const bool last = session_.document_count() == 1;
+  if (documents_->close() && last) start_->show_welcome();
+}
+
+// Echoes, images and other windows of their own close before the document does.
+void MainWindow::close_what_is_active() {
+  QWidget* const active = QApplication::activeWindow();
+  const bool is_part = active == nullptr || active == this || qobject_cast<QDockWidget*>(active) != nullptr;
+  if (is_part)
+    close_document(static_cast<int>(session_.at_hand()));
+  else
+    active->close();
+}
+
+// --- What lets the whole workbench be used without a mouse
+
+// Panels in the order of the screen: objects, scene, what lies in front below, properties.
+std::vector<QWidget*> MainWindow::panels_in_view() const {
+  std::vector<QWidget*> panels;
+  // Of windows that share a place the title bar shows which is in front.
+  const auto add_dock = [&](const char* name) {
+    const QDockWidget* dock = docks_.at(name);
+    if (dock->isVisible() && !dock->visibleRegion().isEmpty()) panels.push_back(dock->widget());
+  };
+  add_dock("objects");
+  panels.push_back(&scene_->scene());
+  for (const char* name : {"echoes", "image", "simulations", "script", "log", "properties"}) add_dock(name);
+  return panels;
+}
+
+void MainWindow::go_to_panel(int step) {
+  const std::vector<QWidget*> panels = panels_in_view();
+  const QWidget* now = QApplication::focusWidget();
+  const auto count = static_cast<int>(panels.size());
+  int at = step > 0 ? -1 : count;
+  for (int i = 0; i < count; ++i)
+    if (now != nullptr &&
+        (panels[static_cast<std::size_t>(i)] == now || panels[static_cast<std::size_t>(i)]->isAncestorOf(now)))
+      at = i;
+  QWidget* panel = panels[static_cast<std::size_t>((at + step + count) % count)];
+  if (panel == panel_) return panel_->focus_first();
+  if (QWidget* inside = first_inside(panel)) inside->setFocus(Qt::TabFocusReason);
 }
 
 }  // namespace sarsim::gui

@@ -11,11 +11,10 @@
 #include "gui/common/appearance.hpp"
 #include "gui/common/session.hpp"
 #include "gui/frame/guide_site.hpp"
-#include "picture/scene/drawing.hpp"
+#include "scene/model/object.hpp"
 
 class QDockWidget;
 class QLabel;
-class QMenu;
 class QToolBar;
 
 namespace sarsim::gui {
@@ -23,22 +22,19 @@ namespace sarsim::gui {
 class DataSaver;
 class DocumentKeeper;
 class EchoPanel;
-class GeometryWindow;
-struct HelpPlace;
 class ImageViewers;
+class LayoutKeeper;
 class ObjectTree;
 class ProblemWatch;
-class ProductWindow;
 class PropertyPanel;
 class ScenePanel;
 class ScriptEditor;
-struct SearchEntry;
 class SimulationWindow;
 class SimulationWindows;
+class StartGuide;
 class StoredSimulations;
-class TourPanel;
-struct TourStep;
-class WelcomePage;
+class ToolWindows;
+struct Workbench;
 
 /// The workbench: the scene in the middle, objects, properties, script and stored simulations around it (thesis 4.1).
 /// Menus carry the words of the thesis.
@@ -74,13 +70,13 @@ class MainWindow : public QMainWindow {
   /// Keeps the panels as they are under a name.
   void save_layout(const QString& name);
   /// Begins with a layout, whatever was kept of the last time.
-  void use_layout(const QString& name) { wanted_layout_ = name; }
+  void use_layout(const QString& name);
   /// The layout of a user who has not chosen any; "scene" unless said.
-  void set_first_layout(const QString& name) { first_layout_ = name; }
+  void set_first_layout(const QString& name);
   /// Light, dark, or as the desktop has it.
   void set_appearance(Appearance appearance);
   /// The site that F1 and Help open; without it, and where it cannot be shown, they open a window of the program.
-  void set_guide(GuideSite guide) { guide_ = std::move(guide); }
+  void set_guide(GuideSite guide);
 
   /// What would be lost with the window, in words: runs, files that are being written, images that are being made.
   [[nodiscard]] QStringList work_under_way() const;
@@ -96,27 +92,13 @@ class MainWindow : public QMainWindow {
  private:
   QDockWidget* add_dock(QWidget* widget, const QString& title, const char* name, Qt::DockWidgetArea area);
   void make_docks();
+  [[nodiscard]] Workbench parts();
   void make_menus();
-  void make_file_menu();
-  void make_example_menu(QMenu* examples);
-  void make_edit_menu();
-  void make_geometry_menu();
-  void make_simulation_menu();
-  void make_view_menu();
-  void make_hand_entries(QMenu* view);
-  void make_track_menu(QMenu* menu);
-  void make_help_menu();
-  void make_tool_bar();
-  QAction* add_action(QMenu* menu, const QString& text, const char* name, const QKeySequence& keys,
-                      const std::function<void()>& work, const QString& tip = QString());
-  void add_switch(QMenu* menu, const QString& text, const char* name, bool picture::DrawingOptions::*option);
-  void fill_recent();
   void show_title();
   void show_state();
   void make_badge();
   void make_document_row();
   void show_document_row();
-  void commit_typed();
   void turn_to_document(int index);
   void step_to_document(int step);
   void close_document(int index);
@@ -128,39 +110,16 @@ class MainWindow : public QMainWindow {
   void edit_function(scene::ObjectId id, const QString& field);
   [[nodiscard]] std::vector<QWidget*> panels_in_view() const;
   void go_to_panel(int step);
-  void fill_functions(QMenu* menu);
   void show_object_menu(std::optional<scene::ObjectId> id, QPoint global);
-  SimulationWindow* open_simulation();
-  [[nodiscard]] QWidget* simulation_part(const QString& name);
-  void show_geometry();
-  void show_targets();
-  QWidget* show_products();
-  void show_focus();
-  void give_icons();
-  void make_start();
-  [[nodiscard]] std::vector<SearchEntry> search_entries();
-  void show_search();
-  void show_welcome();
-  void leave_welcome();
-  [[nodiscard]] std::vector<TourStep> tour_steps();
-  TourPanel* tour_panel();
-  void show_tour();
-  void go_to_field(scene::ObjectKind kind, const QString& field);
-  void show_help(const HelpPlace& place);
-  void show_help_window(const HelpPlace& place);
-  void show_about();
   void make_echo_dock();
   void show_first_echoes();
   void place_echoes(SimulationWindow* window);
-  void size_docks();
-  void restore_layout();
-  bool restore_panels(const QByteArray& kept);
-  void keep_layout() const;
-  void reset_layout();
-  void fill_layouts(QMenu* menu);
 
   Session session_;
   DocumentKeeper* documents_ = nullptr;
+  ToolWindows* tools_ = nullptr;
+  LayoutKeeper* layouts_ = nullptr;
+  StartGuide* start_ = nullptr;
   ProblemWatch* problems_ = nullptr;
   ScenePanel* scene_ = nullptr;
   ObjectTree* tree_ = nullptr;
@@ -173,20 +132,10 @@ class MainWindow : public QMainWindow {
   EchoPanel* echoes_ = nullptr;
   QTimer first_echoes_;
   std::set<int> has_had_echoes_;  // numbers of documents
-  GeometryWindow* geometry_ = nullptr;
-  QWidget* targets_ = nullptr;
-  ProductWindow* products_ = nullptr;
-  QMenu* recent_ = nullptr;
   QLabel* state_ = nullptr;
   QToolBar* document_row_ = nullptr;
-  WelcomePage* welcome_ = nullptr;
-  TourPanel* tour_ = nullptr;
   std::map<QString, QDockWidget*> docks_;
-  QString first_layout_ = "scene";
-  QString wanted_layout_;
-  bool layout_is_kept_ = false;  // from the last time
   bool sized_ = false;
-  GuideSite guide_;
 };
 
 }  // namespace sarsim::gui

@@ -1,25 +1,33 @@
 #include "gui/image/image_viewer.hpp"
-#include "gui/image/target_list.hpp"
 
+#include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QEvent>
+#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
+#include <variant>
 
 #include "core/os/cache_folder.hpp"
 #include "core/report/invalid_request.hpp"
+#include "gui/common/export_question.hpp"
 #include "gui/common/figure_plot.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/common/reserved_label.hpp"
 #include "gui/common/text.hpp"
 #include "gui/image/image_controls.hpp"
+#include "gui/image/image_figures.hpp"
 #include "gui/image/image_thumbnail.hpp"
+#include "gui/image/target_list.hpp"
 #include "raster/format/envi.hpp"
+#include "raster/format/image_export.hpp"
 #include "raster/table/computed_raster.hpp"
 #include "workflow/image/placed_image.hpp"
 
@@ -29,7 +37,7 @@ namespace {
 
 constexpr int watch_ms = 500;
 constexpr int overview_ms = 200;
-constexpr std::size_t coarse_side = 512;  // cells of the coarse picture of the whole image
+constexpr int measure_after_ms = 150;
 
 // How a file is read is part of what an overview of it is.
 std::optional<picture::OverviewCache> cache_for(const raster::Raster& source, const raster::RasterHints& hints,
@@ -41,13 +49,14 @@ std::optional<picture::OverviewCache> cache_for(const raster::Raster& source, co
                                                           " " + std::to_string(source.info().bits));
 }
 
-unsigned coarser_log2(unsigned base, std::size_t samples) {
-  unsigned log2 = base;
-  while ((samples >> log2) > coarse_side) ++log2;
-  return log2;
-}
-
 }  // namespace
+
+ImageViewer::ImageViewer(QWidget* parent) : QWidget(parent), frame_(*this) {
+  setObjectName("image_viewer");
+  setWindowTitle(tr("Simulation output"));
+  connect_all();
+  show_info();
+}
 
 ImageViewer::~ImageViewer() = default;
 
@@ -56,7 +65,7 @@ void ImageViewer::open(const std::filesystem::path& path, const raster::RasterHi
   hints_ = hints;
   algorithm_.clear();
   show_title();
-  state_->setText(tr("Opening..."));
+  frame_.state->setText(tr("Opening..."));
   if (opening_.running()) {
     open_again_ = true;
     return;
@@ -84,7 +93,7 @@ void ImageViewer::set_name(const QString& name) {
   show_title();
 }
 
-bool ImageViewer::kept() const { return keep_->isChecked(); }
+bool ImageViewer::kept() const { return frame_.keep->isChecked(); }
 
 void ImageViewer::show_title() {
   QString title = name_.isEmpty() ? text_of(path_.filename()) : name_;
@@ -94,23 +103,23 @@ void ImageViewer::show_title() {
 
 void ImageViewer::take_source(raster::OpenedRaster& result) {
   const bool first = source_ == nullptr;
-  const std::size_t columns_before = plot_->part() && source_ ? source_->columns() : 0;
+  const std::size_t columns_before = frame_.plot->part() && source_ ? source_->columns() : 0;
   reader_.forget();
   overview_.reset();
   source_ = std::move(result.raster);
   open_problems_ = std::move(result.problems);
   read_failure_.clear();
   forget_readings();
-  state_->clear();
+  frame_.state->clear();
   std::error_code ignored;
   file_bytes_ = std::filesystem::file_size(path_, ignored);
   file_time_ = std::filesystem::last_write_time(path_, ignored);
   if (!source_) {
     rows_ = 0;
     axes_.reset();
-    plot_->set_part(nullptr, {}, {});
-    plot_->set_coarse({});
-    thumbnail_->set_picture({}, 1, 1);
+    frame_.plot->set_part(nullptr, {}, {});
+    frame_.plot->set_coarse({});
+    frame_.thumbnail->set_picture({}, 1, 1);
     complete_ = false;
     watch_.start(watch_ms);
     show_info();
@@ -129,21 +138,21 @@ void ImageViewer::take_source(raster::OpenedRaster& result) {
   if (first && !look_set_) look_ = look_for(source_->info().value, source_->info().format->picture);
   if (!has_quantity(source_->info().value, look_.quantity) && source_->info().value != raster::ImageValue::rgb)
     look_ = look_for(source_->info().value, source_->info().format->picture);
-  controls_->show_look(look_, source_->info().value, value_unit());
-  plot_->set_part(nullptr, {}, {});
-  plot_->set_size(rows_, source_->columns());
-  plot_->set_axes(look_.numbers, look_.equal_scale);
-  plot_->set_draw_as(look_.draw_as);
+  frame_.controls->show_look(look_, source_->info().value, words().value_unit());
+  frame_.plot->set_part(nullptr, {}, {});
+  frame_.plot->set_size(rows_, source_->columns());
+  frame_.plot->set_axes(look_.numbers, look_.equal_scale);
+  frame_.plot->set_draw_as(look_.draw_as);
   take_places();
   if (columns_before != source_->columns()) {
     history_.clear();
     wanted_view_ = whole_view(rows_, source_->columns());
   }
-  plot_->set_view(plot_->shown_view(wanted_view_));
-  controls_->show_view(plot_->view(), plot_->shown_places());
-  plot_->set_selection(std::nullopt);
-  plot_->set_rings({}, std::nullopt);
-  if (show_targets_->isChecked()) targets_->measure(path_);
+  frame_.plot->set_view(frame_.plot->shown_view(wanted_view_));
+  frame_.controls->show_view(frame_.plot->view(), frame_.plot->shown_places());
+  frame_.plot->set_selection(std::nullopt);
+  frame_.plot->set_rings({}, std::nullopt);
+  if (frame_.show_targets->isChecked()) frame_.targets->measure(path_);
   begin_overview();
   watch_.start(watch_ms);
   show_info();
@@ -153,9 +162,9 @@ void ImageViewer::take_source(raster::OpenedRaster& result) {
 }
 
 void ImageViewer::take_places() {
-  plot_->set_places(std::nullopt);
+  frame_.plot->set_places(std::nullopt);
   try {
-    plot_->set_places(workflow::drawn_places(path_, *source_));
+    frame_.plot->set_places(workflow::drawn_places(path_, *source_));
     algorithm_ = QString::fromStdString(workflow::algorithm_said(path_));
     show_title();
   } catch (const core::InvalidRequest& refused) {
@@ -169,10 +178,10 @@ void ImageViewer::take_places() {
 void ImageViewer::forget_readings() {
   statistics_.reset();
   reading_.reset();
-  for (ReservedLabel* label : {read_out_, difference_, figures_, point_}) label->say({});
-  point_->setVisible(reading_tool_->isChecked());
-  histogram_->hide();
-  for (FigurePlot* plot : {row_cut_, column_cut_}) plot->set_figure({});
+  for (ReservedLabel* label : {frame_.read_out, frame_.difference, frame_.figures, frame_.point}) label->say({});
+  frame_.point->setVisible(frame_.reading_tool->isChecked());
+  frame_.histogram->hide();
+  for (FigurePlot* plot : {frame_.row_cut, frame_.column_cut}) plot->set_figure({});
 }
 
 void ImageViewer::begin_overview() {
@@ -199,32 +208,11 @@ void ImageViewer::show_overview() {
   }
   const bool ended = overview_->state() != picture::OverviewState::building;
   if (ended) overview_timer_.stop();
-  const unsigned row_log2 = coarser_log2(overview_->base().row_log2, overview_rows_);
-  const unsigned col_log2 = coarser_log2(overview_->base().col_log2, source_->columns());
-  const picture::OverviewLevel level = overview_->level(row_log2, col_log2);
-  std::vector<float> cells(level.rows * level.columns);
-  overview_->read(row_log2, col_log2, 0, level.rows, 0, level.columns, cells);
-  ImagePart part;
-  part.window = {0, level.rows, 0, level.columns, std::size_t{1} << row_log2, std::size_t{1} << col_log2};
-  part.value = source_->info().value;
-  part.samples.assign(cells.begin(), cells.end());
-  PartLook look = look_;
-  const bool same_quantity =
-      look.quantity == picture::DisplayQuantity::magnitude || look.quantity == picture::DisplayQuantity::decibels;
-  const bool grey = part.value == raster::ImageValue::rgb ||
-                    (part.value == raster::ImageValue::real && look.map == picture::ColourMap::grey);
-  if (!same_quantity) {
-    look.quantity = grey ? picture::DisplayQuantity::magnitude : picture::DisplayQuantity::decibels;
-    if (picture::kind_for(picture::DisplayQuantity::decibels) != picture::info_of(look.map).kind)
-      look.map = picture::ColourMap::grey;
-    look.limits = {};
-  }
-  const ImageView all = whole_view(part.window.rows * part.window.row_step, part.window.cols * part.window.col_step);
-  const QImage picture = paint(part, look, all).image;
-  thumbnail_->set_picture(picture, overview_rows_, source_->columns());
-  thumbnail_->set_view(plot_->view());
+  const CoarsePicture coarse = coarse_picture(*overview_, *source_, overview_rows_, look_);
+  frame_.thumbnail->set_picture(coarse.image, overview_rows_, source_->columns());
+  frame_.thumbnail->set_view(frame_.plot->view());
   // Cells at the end may reach beyond the image; the plot shows only what is exact to a cell.
-  plot_->set_coarse(same_quantity ? picture : QImage());
+  frame_.plot->set_coarse(coarse.as_wanted ? coarse.image : QImage());
   overview_shown_ = true;
   if (const std::string failure = overview_->failure(); ended && !failure.empty() && read_failure_.isEmpty()) {
     read_failure_ = QString::fromStdString(failure);
@@ -237,7 +225,7 @@ void ImageViewer::look_at_file() {
   std::error_code failure;
   const auto bytes = std::filesystem::file_size(path_, failure);
   const auto time = std::filesystem::last_write_time(path_, failure);
-  const bool follows = follow_file_->isChecked();
+  const bool follows = frame_.follow_file->isChecked();
   if (failure || opening_.running()) return;  // A file that is gone can still be read where it is open.
   // What is open would never tell of another file that has taken the name, however large that is.
   if (follows && core::identity_of(path_) != file_number_) {
@@ -273,7 +261,7 @@ void ImageViewer::look_at_file() {
 void ImageViewer::take_rows(std::size_t rows) {
   const bool whole = wanted_view_ == whole_view(rows_, source_->columns());
   rows_ = rows;
-  plot_->set_size(rows_, source_->columns());
+  frame_.plot->set_size(rows_, source_->columns());
   take_places();
   show_info();
   // An overview of a growing file is begun anew after a tenth more, and when it has come to rest.
@@ -287,9 +275,10 @@ void ImageViewer::take_rows(std::size_t rows) {
 void ImageViewer::set_look(const PartLook& look) {
   look_set_ = true;
   look_ = look;
-  plot_->set_axes(look_.numbers, look_.equal_scale);
-  plot_->set_draw_as(look_.draw_as);
-  controls_->show_look(look_, source_ ? source_->info().value : raster::ImageValue::complex, value_unit());
+  frame_.plot->set_axes(look_.numbers, look_.equal_scale);
+  frame_.plot->set_draw_as(look_.draw_as);
+  frame_.controls->show_look(look_, source_ ? source_->info().value : raster::ImageValue::complex,
+                             words().value_unit());
   if (overview_shown_) show_overview();
   if (statistics_) show_statistics();
   change_view(wanted_view_);
@@ -298,30 +287,30 @@ void ImageViewer::set_look(const PartLook& look) {
 void ImageViewer::change_view(const ImageView& view, bool tell) {
   if (!source_) return;
   wanted_view_ = mended(view, rows_, source_->columns());
-  const ImageView wanted = plot_->shown_view(view);
-  const bool moved = wanted != plot_->view();
-  plot_->set_view(wanted);
-  controls_->show_view(wanted, plot_->shown_places());
-  thumbnail_->set_view(wanted);
-  back_->setEnabled(history_.can_go_back());
-  forward_->setEnabled(history_.can_go_forward());
+  const ImageView wanted = frame_.plot->shown_view(view);
+  const bool moved = wanted != frame_.plot->view();
+  frame_.plot->set_view(wanted);
+  frame_.controls->show_view(wanted, frame_.plot->shown_places());
+  frame_.thumbnail->set_view(wanted);
+  frame_.back->setEnabled(history_.can_go_back());
+  frame_.forward->setEnabled(history_.can_go_forward());
   read_soon();
-  if (!plot_->selection()) measure_soon();
-  if (moved && tell) emit view_changed(wanted, controls_->link());
+  if (!frame_.plot->selection()) measure_soon();
+  if (moved && tell) emit view_changed(wanted, frame_.controls->link());
 }
 
 void ImageViewer::go_to(const ImageView& view) {
-  if (!source_ || plot_->shown_view(view) == plot_->view()) return;
-  history_.leave(plot_->view());
+  if (!source_ || frame_.plot->shown_view(view) == frame_.plot->view()) return;
+  history_.leave(frame_.plot->view());
   change_view(view);
 }
 
 void ImageViewer::go_back() {
-  if (history_.can_go_back()) change_view(history_.back(plot_->view()));
+  if (history_.can_go_back()) change_view(history_.back(frame_.plot->view()));
 }
 
 void ImageViewer::go_forward() {
-  if (history_.can_go_forward()) change_view(history_.forward(plot_->view()));
+  if (history_.can_go_forward()) change_view(history_.forward(frame_.plot->view()));
 }
 
 void ImageViewer::show_whole() {
@@ -329,8 +318,8 @@ void ImageViewer::show_whole() {
 }
 
 void ImageViewer::follow(const ImageView& view, picture::AxisLink link) {
-  const picture::AxisLink own = controls_->link();
-  ImageView wanted = plot_->view();
+  const picture::AxisLink own = frame_.controls->link();
+  ImageView wanted = frame_.plot->view();
   if (own.range && link.range) {
     wanted.column_first = view.column_first;
     wanted.column_last = view.column_last;
@@ -340,7 +329,7 @@ void ImageViewer::follow(const ImageView& view, picture::AxisLink link) {
     wanted.row_last = view.row_last;
   }
   // Told by the leader to all; where this image is smaller, its own view must not throw the leader about.
-  if (wanted != plot_->view()) change_view(wanted, false);
+  if (wanted != frame_.plot->view()) change_view(wanted, false);
 }
 
 void ImageViewer::refresh() {
@@ -355,16 +344,16 @@ void ImageViewer::read_soon() {
 
 void ImageViewer::read_part() {
   if (!source_) return;
-  const QSize size = plot_->device_size();
+  const QSize size = frame_.plot->device_size();
   raster::ImageWindow window =
-      window_for(plot_->view(), static_cast<std::size_t>(size.width()), static_cast<std::size_t>(size.height()), rows_,
-                 source_->columns(), look_.wants_peaks());
+      window_for(frame_.plot->view(), static_cast<std::size_t>(size.width()), static_cast<std::size_t>(size.height()),
+                 rows_, source_->columns(), look_.wants_peaks());
   if (window.samples() == 0) {
-    plot_->set_part(nullptr, {}, {});
+    frame_.plot->set_part(nullptr, {}, {});
     return;
   }
   const auto overview = overview_ && overview_->state() == picture::OverviewState::complete ? overview_ : nullptr;
-  request_ = reader_.ask({source_, overview, window, plot_->view(), look_});
+  request_ = reader_.ask({source_, overview, window, frame_.plot->view(), look_});
 }
 
 void ImageViewer::take_part(const PartResult& result) {
@@ -372,8 +361,8 @@ void ImageViewer::take_part(const PartResult& result) {
     read_failure_.clear();
     show_problems();
   }
-  plot_->set_part(result.part, result.painted, unit());
-  controls_->set_present_limits(result.painted.colours.limits);
+  frame_.plot->set_part(result.part, result.painted, words().unit());
+  frame_.controls->set_present_limits(result.painted.colours.limits);
   complete_ = result.complete;
   show_read_out();
   if (!complete_) return;
@@ -382,11 +371,12 @@ void ImageViewer::take_part(const PartResult& result) {
 }
 
 void ImageViewer::show_info() {
-  describe_->setEnabled(!path_.empty());
-  export_->setEnabled(source_ != nullptr);
+  frame_.describe->setEnabled(!path_.empty());
+  frame_.export_samples->setEnabled(source_ != nullptr);
   if (!source_) {
-    info_->setText(path_.empty() ? tr("No file. Display, Simulation Output opens one; or drop one on the main window.")
-                                 : tr("%1\ncould not be read").arg(text_of(path_.filename())));
+    frame_.info->setText(path_.empty()
+                             ? tr("No file. Display, Simulation Output opens one; or drop one on the main window.")
+                             : tr("%1\ncould not be read").arg(text_of(path_.filename())));
     return;
   }
   const raster::RasterInfo& info = source_->info();
@@ -397,12 +387,12 @@ void ImageViewer::show_info() {
                                                                                 : "colours";
   QString how = (envi_ ? QStringLiteral("ENVI") : text_of(info.format->title)) + ", " + text_of(values);
   if (info.bits > 0) how += tr(", %1 bits").arg(info.bits);
-  info_->setText(text_of(path_.filename()) + "\n" + how + "\n" +
-                 tr("%1 rows of %2 samples").arg(rows_).arg(source_->columns()));
-  info_->setToolTip(text_of(path_));
+  frame_.info->setText(text_of(path_.filename()) + "\n" + how + "\n" +
+                       tr("%1 rows of %2 samples").arg(rows_).arg(source_->columns()));
+  frame_.info->setToolTip(text_of(path_));
 }
 
-QString ImageViewer::problem_words() const { return problems_->text(); }
+QString ImageViewer::problem_words() const { return frame_.problems->text(); }
 
 void ImageViewer::show_problems() {
   QStringList texts;
@@ -420,18 +410,313 @@ void ImageViewer::show_problems() {
   add(open_problems_);
   if (source_) add(source_->problems());
   if (source_ && source_->indexed() < 1.0)
-    state_->setText(tr("Looked through %1 %").arg(static_cast<int>(100.0 * source_->indexed())));
-  else if (state_->text().startsWith(tr("Looked through")))
-    state_->clear();
+    frame_.state->setText(tr("Looked through %1 %").arg(static_cast<int>(100.0 * source_->indexed())));
+  else if (frame_.state->text().startsWith(tr("Looked through")))
+    frame_.state->clear();
   if (texts.isEmpty())
-    problems_->clear();
-  else if (problems_->text() != texts.mid(0, 5).join('\n'))
-    problems_->show_texts(worst, texts.mid(0, 5));
+    frame_.problems->clear();
+  else if (frame_.problems->text() != texts.mid(0, 5).join('\n'))
+    frame_.problems->show_texts(worst, texts.mid(0, 5));
 }
 
 void ImageViewer::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) show_cuts();
+}
+
+void ImageViewer::connect_all() {
+  for (QTimer* timer : {&debounce_, &measure_soon_}) timer->setSingleShot(true);
+  connect(&debounce_, &QTimer::timeout, this, &ImageViewer::read_part);
+  connect(&measure_soon_, &QTimer::timeout, this, &ImageViewer::measure);
+  connect(&watch_, &QTimer::timeout, this, &ImageViewer::look_at_file);
+  connect(&overview_timer_, &QTimer::timeout, this, &ImageViewer::show_overview);
+  connect(&reader_, &ImageReader::ready, this, &ImageViewer::take_part);
+  connect(&reader_, &ImageReader::failed, this, [this](const QString& words) {
+    read_failure_ = words;
+    show_problems();
+  });
+  connect(frame_.back, &QToolButton::clicked, this, &ImageViewer::go_back);
+  connect(frame_.forward, &QToolButton::clicked, this, &ImageViewer::go_forward);
+  connect(frame_.whole, &QToolButton::clicked, this, &ImageViewer::show_whole);
+  connect(frame_.refresh, &QToolButton::clicked, this, &ImageViewer::refresh);
+  connect(frame_.copy_picture, &QPushButton::clicked, this, &ImageViewer::copy_picture);
+  connect(frame_.save_picture, &QPushButton::clicked, this, &ImageViewer::save_picture);
+  connect(frame_.show_cuts, &QToolButton::toggled, this, &ImageViewer::show_cuts);
+  for (FigurePlot* cut : {frame_.row_cut, frame_.column_cut}) {
+    cut->setToolTip(tr("Click or drag to move the first cursor along the line"));
+    connect(cut, &FigurePlot::pressed_at, this, [this, cut](std::size_t, double x, double) { press_cut(cut, x); });
+  }
+  connect(frame_.show_targets, &QToolButton::toggled, this, &ImageViewer::show_targets);
+  connect(frame_.targets, &TargetList::measured, this, &ImageViewer::show_rings);
+  connect(frame_.targets, &TargetList::target_chosen, this, &ImageViewer::frame_target);
+  connect(frame_.plot, &ImagePlot::ring_clicked, this,
+          [this](std::size_t ring) { frame_.targets->choose(rows_of_rings_.at(ring)); });
+  connect(frame_.show_statistics, &QToolButton::toggled, this, [this] {
+    show_statistics();
+    measure_soon();
+  });
+  connect(frame_.reading_tool, &QToolButton::toggled, frame_.plot, &ImagePlot::set_reading_tool);
+  connect(frame_.reading_tool, &QToolButton::toggled, this,
+          [this](bool on) { frame_.point->setVisible(on || reading_); });
+  connect(frame_.describe, &QPushButton::clicked, this, &ImageViewer::describe_wanted);
+  connect(frame_.export_samples, &QPushButton::clicked, this, &ImageViewer::export_chosen);
+  connect(frame_.controls, &ImageControls::edited, this, &ImageViewer::set_look);
+  connect(frame_.controls, &ImageControls::view_typed, this, [this](const ImageView& view) {
+    go_to(view);
+    frame_.controls->show_view(frame_.plot->view(),
+                               frame_.plot->shown_places());  // Also where it cannot be as it was typed.
+  });
+  connect(frame_.controls, &ImageControls::link_changed, this,
+          [this] { emit view_changed(frame_.plot->view(), frame_.controls->link()); });
+  const auto about = [this](double column, double row) -> ImageView {
+    const ImageView& v = frame_.plot->view();
+    return {column - v.columns() / 2.0, column + v.columns() / 2.0, row - v.rows() / 2.0, row + v.rows() / 2.0};
+  };
+  connect(frame_.thumbnail, &ImageThumbnail::centre_wanted, this,
+          [this, about](double column, double row) { go_to(about(column, row)); });
+  connect(frame_.thumbnail, &ImageThumbnail::centre_dragged, this,
+          [this, about](double column, double row) { change_view(about(column, row)); });
+  connect(frame_.plot, &ImagePlot::view_wanted, this, &ImageViewer::go_to);
+  connect(frame_.plot, &ImagePlot::drag_began, this, [this] { history_.leave(frame_.plot->view()); });
+  connect(frame_.plot, &ImagePlot::view_dragged, this, [this](const ImageView& view) { change_view(view); });
+  connect(frame_.plot, &ImagePlot::back_wanted, this, &ImageViewer::go_back);
+  connect(frame_.plot, &ImagePlot::whole_wanted, this, &ImageViewer::show_whole);
+  connect(frame_.plot, &ImagePlot::resized, this, [this] {
+    if (source_)
+      change_view(wanted_view_, false);
+    else
+      read_soon();
+  });
+  connect(frame_.plot, &ImagePlot::hovered, this, &ImageViewer::show_read_out);
+  connect(frame_.plot, &ImagePlot::cursors_changed, this, [this] {
+    show_read_out();
+    show_cuts();
+  });
+  connect(frame_.plot, &ImagePlot::selection_changed, this, [this] {
+    if (frame_.plot->selection()) frame_.show_statistics->setChecked(true);
+    measure_soon();
+  });
+  connect(frame_.plot, &ImagePlot::reading_wanted, this, &ImageViewer::read_point_at);
+}
+
+ImageWords ImageViewer::words() const { return {source_.get(), axes_, look_, !algorithm_.isEmpty()}; }
+
+void ImageViewer::show_read_out() {
+  const auto pointer = frame_.plot->pointer_place();
+  const auto& first = frame_.plot->cursor(0);
+  frame_.read_out->say(pointer ? words().at(*frame_.plot, *pointer)
+                       : first ? words().at(*frame_.plot, *first)
+                               : QString());
+  frame_.difference->say(words().difference(*frame_.plot));
+}
+
+void ImageViewer::show_cuts() {
+  const bool wanted = frame_.show_cuts->isChecked();
+  for (FigurePlot* plot : {frame_.row_cut, frame_.column_cut}) plot->setVisible(wanted);
+  if (!wanted) return;
+  const std::optional<ImageCuts> cuts = cuts_of(*frame_.plot, words());
+  if (!cuts) return;
+  frame_.row_cut->set_figure(cuts->row);
+  frame_.column_cut->set_figure(cuts->column);
+}
+
+// A place in a cut is one of the image, on the line that is cut.
+void ImageViewer::press_cut(const FigurePlot* cut, double place) {
+  const auto& part = frame_.plot->part();
+  if (!part || part->samples.empty()) return;
+  const ImageView& view = frame_.plot->view();
+  SamplePlace at = frame_.plot->cursor(0).value_or(
+      SamplePlace{(view.column_first + view.column_last) / 2.0, (view.row_first + view.row_last) / 2.0});
+  const raster::FocusedPlaces places = frame_.plot->shown_places();
+  const auto number = [place](const raster::ImagePlaces& axis, std::size_t count) {
+    const double nearest = std::round((place - axis.first) / axis.step);
+    return std::isfinite(nearest) ? std::clamp(nearest, 0.0, static_cast<double>(count - 1)) : 0.0;
+  };
+  if (cut == frame_.row_cut)
+    at.column = number(places.range, source_->columns());
+  else
+    at.row = number(places.azimuth, rows_);
+  frame_.plot->set_cursor(0, SamplePlace{std::round(at.column), std::round(at.row)});
+}
+
+raster::ImageWindow ImageViewer::chosen() const {
+  if (!source_) return {};
+  if (frame_.plot->selection()) return *frame_.plot->selection();
+  return samples_in(frame_.plot->view(), rows_, source_->columns());
+}
+
+void ImageViewer::measure_soon() {
+  if (!frame_.show_statistics->isChecked()) return;
+  measure_soon_.start(measure_after_ms);
+}
+
+void ImageViewer::measure() {
+  if (!source_) return;
+  if (measuring_.running()) {
+    measure_again_ = true;
+    measuring_.cancel();
+    return;
+  }
+  const raster::ImageWindow window = chosen();
+  if (window.samples() == 0) return;
+  auto result = std::make_shared<picture::SelectionStatistics>();
+  disconnect(&measuring_, nullptr, this, nullptr);
+  connect(&measuring_, &BackgroundJob::progressed, this, [this](double share, double left_s) {
+    frame_.figures->say(tr("Measuring: %1").arg(share_with_time_left(share, left_s)));
+  });
+  connect(&measuring_, &BackgroundJob::ended, this, [this, result, of = source_](JobEnd end, const QString& failure) {
+    if (std::exchange(measure_again_, false)) return measure();
+    if (of != source_) return;  // Another file is shown by now.
+    statistics_.reset();
+    if (end == JobEnd::done) statistics_ = *result;
+    show_statistics();
+    if (end == JobEnd::failed) frame_.figures->say(failure);
+  });
+  measuring_.start([result, window, plane = raster::first_rows(source_, rows_)](const core::StopFlag& stop,
+                                                                                const BackgroundJob::Report& report) {
+    *result = picture::measure_selection(*plane, {window.row0, window.rows, window.col0, window.cols, 1, 1},
+                                         {std::min(core::thread_count(0), 4U), &stop}, [&](const core::Progress& p) {
+                                           if (p.total > 0)
+                                             report(static_cast<double>(p.done) / static_cast<double>(p.total));
+                                         });
+  });
+}
+
+void ImageViewer::show_statistics() {
+  const bool wanted = frame_.show_statistics->isChecked();
+  frame_.figures->setVisible(wanted);
+  frame_.histogram->setVisible(wanted && statistics_);
+  if (!wanted || !statistics_) return;
+  frame_.figures->say(words().of_selection(*statistics_, frame_.plot->selection().has_value()));
+  frame_.histogram->set_figure(histogram_of(*statistics_, words()));
+}
+
+void ImageViewer::read_point_at(std::size_t row, std::size_t column) {
+  if (!source_ || pointing_.running()) return;
+  auto result = std::make_shared<std::variant<picture::PointReading, core::Problem>>();
+  disconnect(&pointing_, nullptr, this, nullptr);
+  connect(&pointing_, &BackgroundJob::ended, this, [this, result, of = source_](JobEnd end, const QString& failure) {
+    if (of != source_) return;  // Another file is shown by now.
+    reading_.reset();
+    if (end == JobEnd::failed) return show_reading(failure);
+    if (end != JobEnd::done) return;
+    if (const auto* const problem = std::get_if<core::Problem>(result.get()))
+      return show_reading(problem_text(*problem));
+    reading_ = std::get<picture::PointReading>(*result);
+    frame_.plot->set_cursor(0, SamplePlace{reading_->column, reading_->row});
+    show_reading({});
+  });
+  // A hand aims at what it sees: at so many pixels of the screen, whatever the zoom.
+  constexpr double aim_px = 12.0;
+  const ImageView& view = frame_.plot->view();
+  const QSize size = frame_.plot->plot_rect().size();
+  picture::PointOptions options;
+  const auto reach = [](double samples) { return static_cast<std::size_t>(std::ceil(std::clamp(samples, 4.0, 1e3))); };
+  options.search_rows = reach(aim_px * view.rows() / size.height());
+  options.search_columns = reach(aim_px * view.columns() / size.width());
+  pointing_.start([result, row, column, options, plane = raster::first_rows(source_, rows_)](
+                      const core::StopFlag&, const BackgroundJob::Report&) {
+    *result = picture::read_point(*plane, row, column, options);
+  });
+}
+
+void ImageViewer::show_reading(const QString& failure) {
+  frame_.point->show();
+  frame_.point->say(reading_ ? words().of_point(*reading_) : failure);
+}
+
+picture::Figure ImageViewer::figure() const {
+  picture::Figure figure = figure_of(*frame_.plot, words());
+  if (!figure.panels.empty()) figure.title = path_.filename().string();
+  return figure;
+}
+
+void ImageViewer::copy_picture() { QApplication::clipboard()->setImage(frame_.plot->plot_image()); }
+
+void ImageViewer::save_picture() { ask_and_save_picture(*this, figure(), "image.png"); }
+
+void ImageViewer::export_chosen() {
+  if (exporting()) return cancel_export();
+  if (const auto choice = ask_export(this)) export_to(choice->path, choice->format);
+}
+
+void ImageViewer::export_to(const QString& path, scene::FileFormat format) {
+  if (!source_ || exporting_.running()) return;
+  // It is being read while the copy is written.
+  std::error_code ignored;
+  if (std::filesystem::equivalent(path.toStdString(), path_, ignored)) {
+    read_failure_ = tr("'%1' is the file that is shown; export to another name").arg(path);
+    show_problems();
+    emit exported(false);
+    return;
+  }
+  raster::ImageExport options;
+  options.sink.format = format;
+  options.sink.replace = true;
+  options.sink.counts = source_->info().counts;
+  disconnect(&exporting_, nullptr, this, nullptr);
+  connect(&exporting_, &BackgroundJob::progressed, this, [this](double share, double left_s) {
+    frame_.state->setText(tr("Writing: %1").arg(share_with_time_left(share, left_s)));
+  });
+  connect(&exporting_, &BackgroundJob::ended, this, [this, path](JobEnd end, const QString& failure) {
+    frame_.export_samples->setText(tr("Export Samples..."));
+    frame_.state->setText(end == JobEnd::done        ? tr("Wrote %1").arg(QFileInfo(path).fileName())
+                          : end == JobEnd::cancelled ? tr("Export cancelled")
+                                                     : QString());
+    if (end == JobEnd::failed) {
+      read_failure_ = failure;
+      show_problems();
+    }
+    emit exported(end == JobEnd::done);
+  });
+  frame_.export_samples->setText(tr("Cancel Export"));
+  exporting_.start([source = source_, window = chosen(), path, options](const core::StopFlag& stop,
+                                                                        const BackgroundJob::Report& report) {
+    raster::export_window(*source, window, path.toStdString(), options, {1, &stop}, [&](const core::Progress& p) {
+      if (p.total > 0) report(static_cast<double>(p.done) / static_cast<double>(p.total));
+    });
+  });
+}
+
+void ImageViewer::show_targets(bool on) {
+  frame_.targets->setVisible(on);
+  if (on)
+    frame_.targets->measure(path_);
+  else
+    frame_.targets->forget();
+  if (!on) show_rings();
+}
+
+// A ring where each target should be that has echoes in the image.
+void ImageViewer::show_rings() {
+  std::vector<ImagePlot::Ring> rings;
+  std::optional<std::size_t> chosen;
+  rows_of_rings_.clear();
+  const auto& places = frame_.plot->places();
+  const std::vector<picture::TargetTable::Row>& rows = frame_.targets->table().rows;
+  for (std::size_t i = 0; places && i < rows.size(); ++i) {
+    if (!rows[i].inside) continue;
+    if (frame_.targets->chosen() == i) chosen = rings.size();
+    rows_of_rings_.push_back(i);
+    rings.push_back({{(rows[i].expected.range_m - places->range.first) / places->range.step,
+                      (rows[i].expected.azimuth_m - places->azimuth.first) / places->azimuth.step},
+                     rows[i].found});
+  }
+  frame_.plot->set_rings(std::move(rings), chosen);
+}
+
+// Brings a target that is out of sight into the middle.
+void ImageViewer::frame_target(std::size_t row) {
+  show_rings();
+  const auto at = std::ranges::find(rows_of_rings_, row);
+  if (at == rows_of_rings_.end()) return;
+  const SamplePlace place = frame_.plot->rings().at(static_cast<std::size_t>(at - rows_of_rings_.begin())).at;
+  const ImageView& v = frame_.plot->view();
+  if (place.column > v.column_first && place.column < v.column_last && place.row > v.row_first &&
+      place.row < v.row_last)
+    return;
+  go_to({place.column - v.columns() / 2.0, place.column + v.columns() / 2.0, place.row - v.rows() / 2.0,
+         place.row + v.rows() / 2.0});
 }
 
 }  // namespace sarsim::gui

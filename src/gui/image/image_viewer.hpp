@@ -7,12 +7,15 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/os/file_identity.hpp"
 #include "gui/common/background_job.hpp"
+#include "gui/image/image_frame.hpp"
 #include "gui/image/image_part.hpp"
 #include "gui/image/image_plot.hpp"
 #include "gui/image/image_reader.hpp"
+#include "gui/image/image_words.hpp"
 #include "picture/echo/echo_window.hpp"
 #include "picture/echo/view_history.hpp"
 #include "picture/figure/figure.hpp"
@@ -21,19 +24,10 @@
 #include "picture/image/selection_statistics.hpp"
 #include "raster/format/open_raster.hpp"
 
-class QCheckBox;
-class QHBoxLayout;
-class QLabel;
-class QPushButton;
-class QToolButton;
-
 namespace sarsim::gui {
 
 class FigurePlot;
 class ImageControls;
-class ImageThumbnail;
-class ProblemLine;
-class ReservedLabel;
 class TargetList;
 
 /// Looks into a file of samples of any size: only what is seen is read. What is wrong with the file is told in the
@@ -54,9 +48,9 @@ class ImageViewer : public QWidget {
   [[nodiscard]] bool kept() const;
   [[nodiscard]] const raster::RasterHints& hints() const { return hints_; }
   [[nodiscard]] const std::shared_ptr<raster::Raster>& source() const { return source_; }
-  [[nodiscard]] ImagePlot& plot() { return *plot_; }
-  [[nodiscard]] ImageControls& controls() { return *controls_; }
-  [[nodiscard]] TargetList& targets() { return *targets_; }
+  [[nodiscard]] ImagePlot& plot() { return *frame_.plot; }
+  [[nodiscard]] ImageControls& controls() { return *frame_.controls; }
+  [[nodiscard]] TargetList& targets() { return *frame_.targets; }
   [[nodiscard]] const PartLook& look() const { return look_; }
   /// Whether all samples of the present view are shown.
   [[nodiscard]] bool complete() const { return complete_; }
@@ -111,11 +105,6 @@ class ImageViewer : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  [[nodiscard]] QWidget* make_left();
-  [[nodiscard]] QWidget* make_tool_row();
-  [[nodiscard]] QWidget* make_foot();
-  QToolButton* add_tool(QHBoxLayout* row, const QString& text, const char* name, const QString& tip);
-  QPushButton* add_button(QHBoxLayout* row, const QString& text, const char* name, const QString& tip);
   void connect_all();
   void take_source(raster::OpenedRaster& result);
   void take_places();
@@ -141,11 +130,8 @@ class ImageViewer : public QWidget {
   void measure_soon();
   void measure();
   void show_statistics();
-  void show_reading(const QString& words);
-  [[nodiscard]] QString unit() const;
-  [[nodiscard]] QString value_unit() const;
-  [[nodiscard]] QString decibel_unit() const;
-  [[nodiscard]] QString words_at(SamplePlace place) const;
+  void show_reading(const QString& failure);
+  [[nodiscard]] ImageWords words() const;
 
   std::filesystem::path path_;
   QString name_;
@@ -172,31 +158,8 @@ class ImageViewer : public QWidget {
   std::optional<picture::SelectionStatistics> statistics_;
   std::optional<picture::PointReading> reading_;
 
-  ImageControls* controls_ = nullptr;
-  ImageThumbnail* thumbnail_ = nullptr;
-  ImagePlot* plot_ = nullptr;
-  FigurePlot* row_cut_ = nullptr;
-  FigurePlot* column_cut_ = nullptr;
-  FigurePlot* histogram_ = nullptr;
-  TargetList* targets_ = nullptr;
+  ImageFrame frame_;
   std::vector<std::size_t> rows_of_rings_;
-  ProblemLine* problems_ = nullptr;
-  QLabel* info_ = nullptr;
-  ReservedLabel* read_out_ = nullptr;
-  ReservedLabel* difference_ = nullptr;
-  ReservedLabel* figures_ = nullptr;
-  ReservedLabel* point_ = nullptr;
-  QLabel* state_ = nullptr;
-  QToolButton* back_ = nullptr;
-  QToolButton* forward_ = nullptr;
-  QToolButton* show_cuts_ = nullptr;
-  QToolButton* show_statistics_ = nullptr;
-  QToolButton* show_targets_ = nullptr;
-  QToolButton* reading_tool_ = nullptr;
-  QToolButton* keep_ = nullptr;
-  QCheckBox* follow_file_ = nullptr;
-  QPushButton* export_ = nullptr;
-  QPushButton* describe_ = nullptr;
   QTimer debounce_;
   QTimer watch_;
   QTimer overview_timer_;

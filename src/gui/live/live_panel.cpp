@@ -28,6 +28,7 @@
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/image_viewers.hpp"
 #include "picture/live/live_product_file.hpp"
+#include "picture/live/live_workflows.hpp"
 #include "scene/language/format_mark.hpp"
 #include "workflow/focus/focus_options.hpp"
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "gui/common/cell_delegate.hpp"
+#include "scene/schema/expression.hpp"
 
 namespace sarsim::gui {
 

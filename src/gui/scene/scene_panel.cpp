@@ -2,6 +2,8 @@
 
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMenu>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -9,6 +11,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/rounding.hpp"
+#include "core/text/number_text.hpp"
 #include "gui/common/palette_colours.hpp"
 #include "gui/common/text.hpp"
 #include "gui/scene/camera_bar.hpp"
@@ -17,6 +20,7 @@
 #include "picture/figure/ticks.hpp"
 #include "picture/scene/framing.hpp"
 #include "picture/scene/handles.hpp"
+#include "picture/scene/scene_view.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/edit/path_points.hpp"
 #include "scene/model/world_frame.hpp"
@@ -378,6 +382,326 @@ void ScenePanel::drag_path(const picture::PathPointId& point, const core::Vec3& 
   const core::Vec3 to_m = moved(held_m_, platform_from_world_ * delta_world_m);
   if (auto changed = scene::with_path_point(platform, session_.scene().world, point.index, to_m, resolution_m))
     write_dragged(point.platform, std::move(*changed), "Move point of path");
+}
+
+// --- Points of paths that are put in, put behind and taken out by hand, and the tools of the hand.
+
+namespace {
+
+constexpr double half_pixel = 0.5;  // Places are rounded to it, so that scripts do not fill up with digits.
+constexpr double metres_per_degree = 111'000.0;
+
+const char* added_label(const scene::Platform& platform) {
+  return platform.path == scene::Platform::Path::legs ? "Add leg" : "Add waypoint";
+}
+
+}  // namespace
+
+void ScenePanel::measure(bool on) {
+  if (on == (scene_->tool() == SceneWidget::Tool::ruler)) return;
+  scene_->set_tool(on ? SceneWidget::Tool::ruler : SceneWidget::Tool::hand);
+  scene_->setFocus();
+}
+
+void ScenePanel::draw_path(bool on) {
+  if (on == (scene_->tool() == SceneWidget::Tool::path)) return;
+  scene_->set_tool(on ? SceneWidget::Tool::path : SceneWidget::Tool::hand);
+  scene_->setFocus();
+}
+
+// The selected one, or that of what is selected; not the world.
+std::optional<scene::ObjectId> ScenePanel::platform_to_draw() const {
+  const auto current = session_.current();
+  if (!current) return std::nullopt;
+  std::size_t index = current->index;
+  if (current->kind != scene::ObjectKind::platform)
+    index = scene::find_platform(session_.scene(), scene::carrier_of(session_.scene(), *current));
+  const auto& platforms = session_.scene().platforms;
+  if (index >= platforms.size() || core::equal_ignoring_case(platforms[index].name, "Earth")) return std::nullopt;
+  return scene::ObjectId{scene::ObjectKind::platform, index};
+}
+
+void ScenePanel::take_tool() {
+  drawn_platform_.reset();
+  if (scene_->tool() == SceneWidget::Tool::path) {
+    drawn_platform_ = platform_to_draw();
+    if (!drawn_platform_) {
+      session_.log(core::Severity::warning, tr("Select the platform whose path is to be drawn, then draw it."));
+      scene_->set_tool(SceneWidget::Tool::hand);
+      return;
+    }
+    session_.select_only(*drawn_platform_);
+  }
+  show_path_end();
+}
+
+// From where the path that is drawn goes on.
+void ScenePanel::show_path_end() {
+  if (scene_->tool() != SceneWidget::Tool::path || !drawn_platform_) return;
+  for (const picture::Snapshot::Platform& platform : scene_->snapshot().platforms) {
+    if (platform.id != *drawn_platform_) continue;
+    const auto& points = platform.path_points_world_m;
+    return scene_->set_path_end(points.empty() ? platform.pose.position_world_m : points.back());
+  }
+  scene_->set_tool(SceneWidget::Tool::hand);
+}
+
+core::Vec3 ScenePanel::in_path_frame(const scene::Platform& platform, const core::Vec3& world_m) const {
+  if (platform.parent.empty()) return world_m;
+  const std::size_t parent = scene::find_platform(session_.scene(), platform.parent);
+  for (const picture::Snapshot::Platform& p : scene_->snapshot().platforms)
+    if (p.id.index == parent) return core::transposed(p.pose.world_from_platform) * (world_m - p.pose.position_world_m);
+  return world_m;
+}
+
+// To half a pixel: x and y, or over an Earth latitude and longitude. The height stays as it is.
+core::Vec3 ScenePanel::rounded_place(const core::Vec3& world_m) const {
+  const double step_m = picture::round_below(half_pixel * scene_->pixel_scale() / scene_->camera().pixels_per_m);
+  if (!earth_) return {core::rounded_to(world_m.x, step_m), core::rounded_to(world_m.y, step_m), world_m.z};
+  radar::Geodetic place = earth_->geodetic_of(world_m);
+  const double step_deg = picture::round_below(step_m / metres_per_degree);
+  const auto rounded = [&](double rad) {
+    return core::rounded_to(rad * core::deg_per_rad, step_deg) * core::rad_per_deg;
+  };
+  place.latitude_rad = rounded(place.latitude_rad);
+  place.longitude_rad = rounded(place.longitude_rad);
+  return earth_->world_of(place);
+}
+
+void ScenePanel::change_path(scene::ObjectId id, scene::PathEdit edit, const char* what) {
+  if (!edit.platform) {
+    const QString why = tr("%1: %2.").arg(tr(what), QString::fromStdString(edit.refusal));
+    session_.log(core::Severity::warning, why);
+    QToolTip::showText(scene_->mapToGlobal(scene_->rect().center()), why, scene_);
+    return;
+  }
+  session_.end_run();
+  const scene::AnyObject before = scene::object_of(session_.scene(), id);
+  session_.perform(scene::replace_object(session_.scene(), id, std::move(*edit.platform), what));
+  if (scene::object_of(session_.scene(), id) == before) {
+    scene_->set_tool(SceneWidget::Tool::hand);
+    return session_.log(core::Severity::warning, tr("%1: a scene in the language of 1998 has no waypoints and legs. "
+                                                    "Convert it to format 2 with 'sarsim convert'.")
+                                                     .arg(tr(what)));
+  }
+  select_point(picture::PathPointId{id, edit.point});
+}
+
+void ScenePanel::add_point_behind(const core::Vec3& world_m) {
+  if (!drawn_platform_ || !scene::has_object(session_.scene(), *drawn_platform_)) return;
+  const scene::ObjectId id = *drawn_platform_;
+  const scene::Platform& platform = session_.scene().platforms[id.index];
+  const double step_m = picture::round_below(half_pixel * scene_->pixel_scale() / scene_->camera().pixels_per_m);
+  const core::Vec3 to_m = in_path_frame(platform, rounded_place(world_m));
+  change_path(id, scene::with_point_behind(platform, to_m, step_m), added_label(platform));
+}
+
+void ScenePanel::divide_path(const picture::PathPlace& place) {
+  if (!scene::has_object(session_.scene(), place.platform)) return;
+  const scene::Platform& platform = session_.scene().platforms[place.platform.index];
+  const core::Vec3 at_m = in_path_frame(platform, rounded_place(place.at_world_m));
+  change_path(place.platform, scene::with_point_between(platform, at_m), added_label(platform));
+}
+
+void ScenePanel::add_point_here() {
+  const auto place = place_of_menu_ ? place_of_menu_ : scene_->path_under_pointer();
+  if (place) return divide_path(*place);
+  session_.log(core::Severity::warning,
+               tr("Select a platform that goes by waypoints or legs and put the pointer on the line of its path."));
+}
+
+// Whether the selected point is one of an orbit's state, which cannot lack any.
+bool ScenePanel::holds_state() const {
+  const auto& platforms = session_.scene().platforms;
+  return selected_point_ && selected_point_->platform.index < platforms.size() &&
+         platforms[selected_point_->platform.index].path == scene::Platform::Path::state;
+}
+
+void ScenePanel::delete_point() {
+  if (!selected_point_ || !scene::has_object(session_.scene(), selected_point_->platform)) return;
+  const picture::PathPointId point = *selected_point_;
+  const scene::Platform& platform = session_.scene().platforms[point.platform.index];
+  const bool legs = platform.path == scene::Platform::Path::legs;
+  change_path(point.platform, scene::without_path_point(platform, point.index),
+              holds_state() ? "Delete point"
+              : legs        ? "Delete leg"
+                            : "Delete waypoint");
+}
+
+void ScenePanel::add_hand_entries(QMenu& menu) {
+  if (!menu.isEmpty()) menu.addSeparator();
+  const auto add = [&](const QString& text, const char* name, auto&& work) {
+    QAction* action = menu.addAction(text);
+    action->setObjectName(name);
+    connect(action, &QAction::triggered, this, work);
+  };
+  if (place_of_menu_) add(tr("Add &Waypoint Here"), "hand_add_point", [this] { add_point_here(); });
+  if (selected_point_ && !holds_state()) add(tr("Delete Waypoin&t"), "hand_delete_point", [this] { delete_point(); });
+  if (platform_to_draw()) add(tr("Draw &Path"), "hand_draw_path", [this] { draw_path(true); });
+  if (!session_.selection().empty()) {
+    add(tr("&Zoom to Selection"), "hand_zoom", [this] { zoom_to_selection(); });
+    add(tr("&Follow"), "hand_follow", [this] { follow_selection(); });
+  }
+  if (!session_.scene().radars.empty()) add(tr("Along the &Beam"), "hand_beam", [this] { look_along_beam(); });
+  add(tr("Show &All"), "hand_all", [this] { scene_->fit(); });
+  add(tr("&Measure Distance"), "hand_measure", [this] { measure(true); });
+}
+
+// --- From where a scene is seen as time runs: fixed, following an object, along a beam; and the views by their names.
+
+namespace {
+
+constexpr std::size_t max_listed = 20;  // beams or platforms in a menu
+
+}  // namespace
+
+void ScenePanel::set_ride(Ride ride, std::optional<scene::ObjectId> on) {
+  if (ride == ride_ && on == rides_on_) return;
+  ride_ = ride;
+  rides_on_ = on;
+  show_camera();
+  emit ride_changed();
+}
+
+void ScenePanel::follow(std::optional<scene::ObjectId> object) {
+  way_to_focus_m_ = {};
+  set_ride(object ? Ride::follow : Ride::none, object);
+  move_camera();
+}
+
+bool ScenePanel::follow_selection() {
+  const auto current = session_.current();
+  if (ride_ == Ride::follow && (!current || rides_on_ == current)) {
+    set_ride(Ride::none, std::nullopt);
+    return true;
+  }
+  const auto place = current ? picture::place_of(scene_->snapshot(), *current) : std::nullopt;
+  if (!place) {
+    emit ride_changed();  // A switch that was pressed goes back.
+    return false;
+  }
+  const picture::Camera& camera = scene_->camera();
+  const auto at = camera.project(*place);
+  const bool seen = at && at->x >= 0.0 && at->y >= 0.0 && at->x <= camera.width_px && at->y <= camera.height_px;
+  way_to_focus_m_ = seen ? camera.focus_world_m - *place : core::Vec3{};
+  set_ride(Ride::follow, current);
+  move_camera();
+  return true;
+}
+
+bool ScenePanel::look_along_beam(std::optional<scene::ObjectId> radar) {
+  const auto current = session_.current();
+  if (!radar && current && current->kind == scene::ObjectKind::radar) radar = current;
+  if (!radar && !session_.scene().radars.empty()) radar = scene::ObjectId{scene::ObjectKind::radar, 0};
+  if (!radar || !picture::place_of(scene_->snapshot(), *radar)) {
+    session_.log(core::Severity::warning, tr("There is no radar along whose beam the scene could be seen."));
+    emit ride_changed();
+    return false;
+  }
+  set_ride(Ride::beam, radar);
+  move_camera();
+  return true;
+}
+
+// As far as to the ground; a beam that misses it, as far as the focus was.
+std::optional<picture::Camera> ScenePanel::beam_camera() const {
+  const auto& radars = scene_->snapshot().radars;
+  if (std::ranges::find(radars, *rides_on_, &picture::Snapshot::Radar::id) == radars.end()) return std::nullopt;
+  return picture::beam_camera(scene_->camera(), scene_->snapshot(), rides_on_->index);
+}
+
+// Where the ride has come to.
+void ScenePanel::move_camera() {
+  if (!rides_on_) return;
+  moves_camera_ = true;
+  if (ride_ == Ride::follow) {
+    if (const auto place = picture::place_of(scene_->snapshot(), *rides_on_)) focus_on(*place + way_to_focus_m_);
+  } else if (const auto camera = beam_camera()) {
+    scene_->ride(*camera);
+  }
+  moves_camera_ = false;
+}
+
+// A hand has changed the view, or the ride has.
+void ScenePanel::take_camera() {
+  if (!moves_camera_ && ride_ == Ride::beam) set_ride(Ride::none, std::nullopt);
+  if (!moves_camera_ && ride_ == Ride::follow)
+    if (const auto place = picture::place_of(scene_->snapshot(), *rides_on_))
+      way_to_focus_m_ = scene_->camera().focus_world_m - *place;
+  show_camera();
+}
+
+void ScenePanel::follow_ride(const scene::SceneChange& change) {
+  if (!rides_on_) return;
+  const auto now = change.moved(*rides_on_);
+  set_ride(now ? ride_ : Ride::none, now);
+}
+
+// Another document is at hand: this one's view is kept for when it comes back.
+void ScenePanel::leave_document() {
+  views_[shown_] = {scene_->usual_camera(), ride_, rides_on_, way_to_focus_m_, std::move(kept_views_),
+                    time_bar_->step_s()};
+  shown_ = session_.number();
+  new_document_ = true;
+  set_ride(Ride::none, std::nullopt);
+  kept_views_.clear();
+  dragged_.reset();
+  selected_point_.reset();
+  scene_->set_tool(SceneWidget::Tool::hand);
+  time_bar_->set_playing(false);
+}
+
+void ScenePanel::show_again(const View& view) {
+  picture::Camera camera = view.camera;
+  camera.perspective = scene_->usual_camera().perspective;  // one choice for all
+  scene_->set_camera(camera);
+  kept_views_ = view.kept;
+  way_to_focus_m_ = view.way_to_focus_m;
+  time_bar_->set_step(view.step_s);
+  set_ride(view.ride, view.rides_on);
+  move_camera();
+}
+
+void ScenePanel::show_camera() {
+  const auto degrees = [](double rad) { return qRound(rad * core::deg_per_rad); };
+  QString text = tr("Azimuth %1°  Elevation %2°")
+                     .arg(degrees(scene_->camera().azimuth_rad))
+                     .arg(degrees(scene_->camera().elevation_rad));
+  if (rides_on_ && scene::has_object(session_.scene(), *rides_on_)) {
+    const QString name = QString::fromStdString(scene::label_of(session_.scene(), *rides_on_));
+    text = (ride_ == Ride::beam ? tr("Along the beam of %1  %2") : tr("Follows %1  %2")).arg(name, text);
+  }
+  direction_->setText(text);
+  place_direction();
+}
+
+void ScenePanel::keep_view() { kept_views_.push_back(scene_->camera()); }
+
+void ScenePanel::fill_cameras(QMenu& menu) {
+  menu.clear();
+  const auto add = [&](const QString& text, auto&& work) {
+    connect(menu.addAction(text), &QAction::triggered, this, work);
+  };
+  for (const auto& [text, view] : {std::pair{tr("From Above"), picture::ViewPreset::top},
+                                   std::pair{tr("From the Front"), picture::ViewPreset::front},
+                                   std::pair{tr("From the Side"), picture::ViewPreset::side},
+                                   std::pair{tr("As at the Beginning"), picture::ViewPreset::start}})
+    add(text, [this, view = view] { scene_->look(view); });
+  const auto each = [&](scene::ObjectKind kind, const QString& words, auto&& work) {
+    menu.addSeparator();
+    for (std::size_t i = 0; i < std::min(max_listed, scene::count_of(session_.scene(), kind)); ++i)
+      add(words.arg(QString::fromStdString(scene::label_of(session_.scene(), {kind, i}))),
+          [work, id = scene::ObjectId{kind, i}] { work(id); });
+  };
+  each(scene::ObjectKind::radar, tr("Along the Beam of %1"), [this](scene::ObjectId id) { look_along_beam(id); });
+  each(scene::ObjectKind::platform, tr("Follow %1"), [this](scene::ObjectId id) { follow(id); });
+  menu.addSeparator();
+  for (std::size_t i = 0; i < kept_views_.size(); ++i)
+    add(tr("View %1").arg(i + 1), [this, view = kept_views_[i]] {
+      set_ride(Ride::none, std::nullopt);
+      scene_->set_camera(view);
+    });
+  add(tr("Keep This View"), [this] { keep_view(); });
 }
 
 }  // namespace sarsim::gui

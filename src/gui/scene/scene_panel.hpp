@@ -13,6 +13,7 @@
 #include "gui/common/session.hpp"
 #include "picture/scene/drawing.hpp"
 #include "picture/scene/snapshot.hpp"
+#include "picture/scene/snapshot_maker.hpp"
 #include "radar/earth/earth_frame.hpp"
 #include "scene/edit/path_edits.hpp"
 

@@ -2,7 +2,10 @@
 
 #include <string>
 
-#include "picture/figure/picture_file.hpp"
+#include "core/task/stop.hpp"
+#include "picture/figure/figure.hpp"
+#include "picture/figure/picture_style.hpp"
+#include "picture/figure/sheet.hpp"
 
 namespace sarsim::picture {
 

@@ -7,20 +7,10 @@
 
 #include "core/task/stop.hpp"
 #include "picture/figure/figure.hpp"
+#include "picture/figure/picture_style.hpp"
 #include "picture/figure/sheet.hpp"
 
 namespace sarsim::picture {
-
-/// What pictures are written as.
-enum class PictureKind { png, svg, pdf };
-
-/// Size and look of a picture.
-struct PictureStyle {
-  int width_px = 1000;  ///< PDF: points.
-  int height_px = 700;
-  double scale = 1.0;  ///< Dots for each pixel (PNG).
-  bool dark = false;   ///< Light words on a dark ground.
-};
 
 /// The kind that a file's name ends with, in capitals or not; nothing where it ends otherwise.
 [[nodiscard]] std::optional<PictureKind> picture_kind_of(const std::filesystem::path& path);

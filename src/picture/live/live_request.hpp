@@ -63,8 +63,4 @@ struct LiveRequest {
 /// The command that makes a product: "focus", "profiles", "isar", "doppler" or "search".
 [[nodiscard]] std::string_view command_of(LiveProduct product);
 
-/// The words after "sarsim" of the command that makes the same: "focus scene.toml --algorithm omega-k".
-/// @param script  name of the scene's file
-[[nodiscard]] std::string live_command(const LiveRequest& request, const std::string& script);
-
 }  // namespace sarsim::picture

@@ -2,6 +2,7 @@
 #include "picture/live/live_image.hpp"
 #include "picture/live/live_picture.hpp"
 #include "picture/live/live_request.hpp"
+#include "picture/live/live_workflows.hpp"
 
 #include <algorithm>
 #include <cmath>

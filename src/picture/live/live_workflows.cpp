@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/task/observer.hpp"
 #include "picture/live/live_product_file.hpp"
 #include "workflow/focus/focus.hpp"
@@ -113,6 +115,25 @@ void write_live_product(const LiveRequest& request, const std::filesystem::path&
   focus.output = file;
   focus.force = true;
   static_cast<void>(workflow::focus(focus, observer));
+}
+
+std::string live_command(const LiveRequest& request, const std::string& script) {
+  const LiveOptions& options = request.options;
+  const LiveProduct product = options.product == LiveProduct::automatic
+                                  ? suitable_product(*request.scene, request.simulation)
+                                  : options.product;
+  std::string words = std::string(command_of(product)) + " " + script;
+  if (request.scene->simulations.size() > 1) words += fmt::format(" --simulation {}", request.simulation + 1);
+  if (options.window.kind != signal::SarWindow::Kind::rectangular)
+    words += " --window " + signal::to_string(options.window);
+  if (product == LiveProduct::doppler)
+    if (const auto pulses = doppler_request_of(request).pulses) words += fmt::format(" --pulses {}", *pulses);
+  if (product != LiveProduct::focused) return words;
+  if (options.algorithm != workflow::FocusAlgorithm::automatic)
+    words += fmt::format(" --algorithm {}", workflow::word_of(options.algorithm));
+  if (!options.compensation) words += " --motion-compensation none";
+  if (options.autofocus) words += " --autofocus";
+  return words;
 }
 
 }  // namespace sarsim::picture

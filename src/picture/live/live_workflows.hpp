@@ -22,4 +22,8 @@ namespace sarsim::picture {
 /// Without detection.
 [[nodiscard]] workflow::SearchRequest search_request_of(const LiveRequest& request);
 
+/// The words after "sarsim" of the command that makes the same: "focus scene.toml --algorithm omega-k".
+/// @param script  name of the scene's file
+[[nodiscard]] std::string live_command(const LiveRequest& request, const std::string& script);
+
 }  // namespace sarsim::picture

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/maths/constants.hpp"
+#include "picture/scene/draw_scene.hpp"
 #include "support/processor_time.hpp"
 
 namespace sarsim::picture {

@@ -7,6 +7,7 @@
 
 #include "core/maths/constants.hpp"
 #include "picture/scene/half_power.hpp"
+#include "picture/scene/snapshot_maker.hpp"
 #include "picture/scene/track_figure.hpp"
 #include "scene/model/world_frame.hpp"
 #include "simulate/resolve/resolved.hpp"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/maths/constants.hpp"
+#include "picture/scene/draw_scene.hpp"
 #include "picture/scene/drawing.hpp"
 #include "picture/scene/hand_drag.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "picture/colour/theme.hpp"
+#include "picture/scene/draw_scene.hpp"
 #include "picture/scene/drawing.hpp"
 
 namespace sarsim::picture {

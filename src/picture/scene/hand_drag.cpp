@@ -12,6 +12,7 @@
 #include "picture/figure/ticks.hpp"
 #include "picture/scene/ground_point.hpp"
 #include "scene/schema/quantity.hpp"
+#include "scene/schema/unit_table.hpp"
 
 namespace sarsim::picture {
 

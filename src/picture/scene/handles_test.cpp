@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/maths/constants.hpp"
+#include "picture/scene/snapshot_maker.hpp"
 
 namespace sarsim::picture {
 namespace handles_test {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "picture/scene/draw_scene.hpp"
 #include "picture/scene/drawing.hpp"
 
 namespace sarsim::picture {

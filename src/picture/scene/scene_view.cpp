@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "picture/scene/draw_scene.hpp"
 #include "picture/scene/framing.hpp"
 #include "picture/scene/ground_point.hpp"
 

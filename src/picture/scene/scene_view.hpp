@@ -7,6 +7,7 @@
 #include "picture/figure/picture_file.hpp"
 #include "picture/figure/sheet.hpp"
 #include "picture/scene/drawing.hpp"
+#include "picture/scene/snapshot_maker.hpp"
 
 namespace sarsim::picture {
 

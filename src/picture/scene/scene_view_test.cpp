@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/maths/constants.hpp"
+#include "picture/scene/draw_scene.hpp"
+#include "picture/scene/snapshot_maker.hpp"
 #include "picture/scene/snapshot_symbol.hpp"
 
 namespace sarsim::picture {

@@ -13,6 +13,7 @@
 #include "picture/scene/half_power.hpp"
 #include "picture/scene/scene_map.hpp"
 #include "picture/scene/snapshot.hpp"
+#include "picture/scene/snapshot_maker.hpp"
 #include "scene/model/read_path.hpp"
 #include "simulate/survey/places.hpp"
 

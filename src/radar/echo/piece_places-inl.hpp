@@ -13,7 +13,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "radar/echo/gridding.hpp"
+#include "radar/echo/lane_polynomials.hpp"
 #include "radar/simd/math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

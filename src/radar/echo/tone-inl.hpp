@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "radar/echo/tones.hpp"
+#include "radar/echo/tone.hpp"
 #include "radar/simd/math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -124,6 +124,13 @@ namespace sarsim::radar {
 HWY_EXPORT(convert_on_target);
 HWY_EXPORT(tally_volts_on_target);
 
+void ConversionTally::add(const ConversionTally& other) {
+  maximum_v = std::max(maximum_v, other.maximum_v);
+  saturated += other.saturated;
+  zero += other.zero;
+  not_numbers += other.not_numbers;
+}
+
 ConvertedPart convert_vectors(std::span<const std::complex<double>> volts, double per_volt, double lowest,
                               double highest, std::span<std::int64_t> counts, ConversionTally& tally) {
   CORE_EXPECT(counts.empty() || counts.size() == 2 * volts.size());

@@ -5,9 +5,18 @@
 #include <cstdint>
 #include <span>
 
-#include "radar/receiver/converter.hpp"
-
 namespace sarsim::radar {
+
+/// What a conversion met.
+struct ConversionTally {
+  double maximum_v = 0.0;         ///< Largest magnitude before conversion.
+  std::uint64_t saturated = 0;    ///< Samples with I or Q clipped.
+  std::uint64_t zero = 0;         ///< Samples whose counts are both 0.
+  std::uint64_t not_numbers = 0;  ///< Samples whose I or Q is no number (NaN).
+
+  /// Joins what two conversions met.
+  void add(const ConversionTally& other);
+};
 
 /// Part of a row that was converted, and where the definition has to go on.
 struct ConvertedPart {
@@ -30,5 +39,9 @@ inline constexpr double largest_simd_count = 0x1p50;
 /// @param[in,out] tally    all but its maximum is added to
 ConvertedPart convert_vectors(std::span<const std::complex<double>> volts, double per_volt, double lowest,
                               double highest, std::span<std::int64_t> counts, ConversionTally& tally);
+
+/// What can be said of a row without a converter, in SIMD: its largest magnitude, its samples that are 0 and those
+/// that are no numbers are added to the tally.
+void tally_volts(std::span<const std::complex<double>> volts, ConversionTally& tally);
 
 }  // namespace sarsim::radar

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/report/expect.hpp"
-#include "radar/receiver/convert_row.hpp"
 
 namespace sarsim::radar {
 
@@ -37,13 +36,6 @@ bool is_clipped(double value, double clipped) { return !std::isnan(value) && cli
 double full_scale_count(int bits) {
   CORE_EXPECT(bits >= 1 && bits <= 64);
   return std::max(1.0, std::ldexp(1.0, bits - 1) - 1.0);
-}
-
-void ConversionTally::add(const ConversionTally& other) {
-  maximum_v = std::max(maximum_v, other.maximum_v);
-  saturated += other.saturated;
-  zero += other.zero;
-  not_numbers += other.not_numbers;
 }
 
 void Converter::convert(std::span<const std::complex<double>> volts, std::span<std::int64_t> counts,

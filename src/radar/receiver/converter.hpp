@@ -4,21 +4,12 @@
 #include <cstdint>
 #include <span>
 
+#include "radar/receiver/convert_row.hpp"
+
 namespace sarsim::radar {
 
 /// Largest positive count C of a converter: 2^(bits-1) - 1, at least 1 (decision 24). Exact up to 53 bits.
 [[nodiscard]] double full_scale_count(int bits);
-
-/// What a conversion met.
-struct ConversionTally {
-  double maximum_v = 0.0;         ///< Largest magnitude before conversion.
-  std::uint64_t saturated = 0;    ///< Samples with I or Q clipped.
-  std::uint64_t zero = 0;         ///< Samples whose counts are both 0.
-  std::uint64_t not_numbers = 0;  ///< Samples whose I or Q is no number (NaN).
-
-  /// Joins what two conversions met.
-  void add(const ConversionTally& other);
-};
 
 /// An A/D converter for I and Q: count = floor(v/LSB + 1/2) clipped to [-C, C + 1] (decision 24).
 /// Counts are exact up to 53 bits; beyond, they are the multiples that doubles can hold. NaN becomes 0 and is tallied;
@@ -35,10 +26,6 @@ struct Converter {
   void convert_plainly(std::span<const std::complex<double>> volts, std::span<std::int64_t> counts,
                        ConversionTally& tally) const;
 };
-
-/// What can be said of a row without a converter, in SIMD: its largest magnitude, its samples that are 0 and those
-/// that are no numbers are added to the tally.
-void tally_volts(std::span<const std::complex<double>> volts, ConversionTally& tally);
 
 /// Largest magnitude of a row [V].
 [[nodiscard]] double largest_magnitude(std::span<const std::complex<double>> volts);

@@ -1,6 +1,4 @@
-#include "radar/waveform/pulse.hpp"
 
-#include "radar/waveform/pulse_shape.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include <string>
 
 #include "core/maths/constants.hpp"
+#include "radar/waveform/pulse.hpp"
 
 namespace sarsim::radar {
 namespace pulse_test {

@@ -1,4 +1,4 @@
-#include "raster/cphd/vector_check.hpp"
+#include "raster/cphd/cphd_file.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/os/input_file.hpp"
-#include "raster/format/open_raster.hpp"
+#include "core/task/stop.hpp"
+#include "raster/format/raster_hints.hpp"
 #include "raster/table/formats.hpp"
+#include "raster/table/raster.hpp"
 #include "raster/table/stored_array.hpp"
 
 namespace sarsim::raster {

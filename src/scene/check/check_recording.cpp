@@ -6,7 +6,7 @@
 
 #include "core/maths/constants.hpp"
 #include "radar/path/path.hpp"
-#include "radar/waveform/pulse_shape.hpp"
+#include "radar/waveform/pulse.hpp"
 #include "scene/check/check.hpp"
 #include "scene/check/check_objects.hpp"
 #include "scene/check/check_values.hpp"

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "scene/edit/edit_runs.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 
 namespace sarsim::scene {
 

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "scene/edit/edit.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 
 namespace sarsim::scene {
 

@@ -9,7 +9,7 @@
 #include "core/text/number_text.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/edit/edit_names.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 #include "scene/model/scene_index.hpp"
 
 namespace sarsim::scene {

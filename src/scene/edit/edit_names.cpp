@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 
 namespace sarsim::scene {
 

@@ -6,10 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "scene/edit/edit.hpp"
+#include "scene/model/object.hpp"
+#include "scene/model/shared_object.hpp"
 
 /// How the changes of an edit act on lists: on those of a scene and on whatever runs parallel to them.
 namespace sarsim::scene {
+
+struct Edit;
 
 /// One change, in the direction in which it is made: out without value inserts, in without value removes.
 struct ListChange {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scene/edit/edit.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 #include "scene/script/random_scene_test_support.hpp"
 
 namespace sarsim::scene::test {

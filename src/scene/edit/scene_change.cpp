@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "scene/edit/edit_runs.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 
 namespace sarsim::scene {
 

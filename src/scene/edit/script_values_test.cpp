@@ -10,7 +10,7 @@
 
 #include "scene/edit/splice_command.hpp"
 #include "scene/model/kinds.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 #include "scene/schema/field_table.hpp"
 #include "scene/script/random_scene_test_support.hpp"
 

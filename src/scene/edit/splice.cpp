@@ -8,7 +8,7 @@
 #include "scene/edit/edit_runs.hpp"
 #include "scene/edit/script_values.hpp"
 #include "scene/edit/splice_command.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 
 namespace sarsim::scene {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "scene/edit/script_values.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 #include "scene/schema/grammar.hpp"
 #include "scene/script/write_commands.hpp"
 

@@ -14,7 +14,7 @@
 #include "scene/language/keys.hpp"
 #include "scene/language/scene_reader.hpp"
 #include "scene/language/value_text.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 
 namespace sarsim::scene {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 #include "scene/schema/grammar.hpp"
 
 namespace sarsim::scene {

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "core/toml/lines.hpp"
+#include "core/toml/parse.hpp"
 #include "core/toml/scan.hpp"
 #include "core/toml/values.hpp"
 #include "scene/edit/splice_command.hpp"

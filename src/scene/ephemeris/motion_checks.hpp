@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/report/problem.hpp"
-#include "scene/ephemeris/write_motion.hpp"
+#include "scene/ephemeris/motion_sample.hpp"
 
 /// What the writers of motions have in common.
 namespace sarsim::scene::ephemeris {

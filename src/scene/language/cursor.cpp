@@ -8,6 +8,7 @@
 #include "core/toml/values.hpp"
 #include "scene/schema/quantity.hpp"
 #include "scene/schema/unit_source.hpp"
+#include "scene/schema/unit_table.hpp"
 
 namespace sarsim::scene::language {
 

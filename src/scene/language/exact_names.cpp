@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/text/number_text.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 #include "scene/model/scene_index.hpp"
 
 namespace sarsim::scene {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/text/utf8.hpp"
+#include "core/toml/parse.hpp"
 #include "core/toml/values.hpp"
 
 namespace sarsim::scene::language {

@@ -16,7 +16,7 @@
 #include "scene/language/keys.hpp"
 #include "scene/language/path_line.hpp"
 #include "scene/language/sources.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 #include "scene/schema/trade_words.hpp"
 #include "scene/script/foreign_text.hpp"
 
@@ -66,7 +66,7 @@ class SceneReader {
   SceneReader(Reading& reading, Scene& scene) : reading_(reading), scene_(scene) {}
 
   /// The worlds of all texts, before anything that lies in them.
-  void read_worlds(const Source& source) {
+  void read_worlds(const language::Source& source) {
     toml::Lines lines(source.typed);
     ObjectTexts texts(source.text, source.document);
     ObjectText text;
@@ -117,7 +117,7 @@ class SceneReader {
     reading_.earth.emplace(world, std::nullopt);
   }
 
-  void read(const Source& source) {
+  void read(const language::Source& source) {
     toml::Lines lines(source.typed);
     ObjectTexts texts(source.text, source.document);
     ObjectText text;
@@ -130,7 +130,7 @@ class SceneReader {
   }
 
  private:
-  void read_root(const Source& source, toml::Lines& lines, ObjectText& text) {
+  void read_root(const language::Source& source, toml::Lines& lines, ObjectText& text) {
     ObjectReader reader(reading_, source, lines, text, "", 0);
     for (const std::string_view key : {"format", "include"}) text.use_all_below(key);
     static const std::vector<std::string> known{"format", "include"};
@@ -146,7 +146,7 @@ class SceneReader {
     reader.finish(known);
   }
 
-  void read_table(const Source& source, toml::Lines& lines, ObjectText& text) {
+  void read_table(const language::Source& source, toml::Lines& lines, ObjectText& text) {
     if (text.kind == "let" || text.kind.starts_with("x-")) return;
     if (text.kind == "world") return;  // read before
     if (is_single(text.kind)) return read_singles(source, lines, text);
@@ -203,14 +203,14 @@ class SceneReader {
                                : fmt::format("did you mean '{}'?", near)});
   }
 
-  void read_singles(const Source& source, toml::Lines& lines, ObjectText& text) {
+  void read_singles(const language::Source& source, toml::Lines& lines, ObjectText& text) {
     for_each_single([&](const auto& single) {
       if (single.header == text.kind) read_single(single, source, lines, text);
     });
   }
 
   template <class Table>
-  void read_single(const Single<Table>& single, const Source& source, toml::Lines& lines, ObjectText& text) {
+  void read_single(const Single<Table>& single, const language::Source& source, toml::Lines& lines, ObjectText& text) {
     ObjectReader reader(reading_, source, lines, text, single.header, 0);
     if (text.is_element)
       reader.error(text.header, "",
@@ -241,7 +241,7 @@ class SceneReader {
   }
 
   template <class Object>
-  void read_object(const Kind<Object>& kind, const Source& source, toml::Lines& lines, ObjectText& text) {
+  void read_object(const Kind<Object>& kind, const language::Source& source, toml::Lines& lines, ObjectText& text) {
     std::vector<Object>& list = scene_.*kind.list;
     ObjectReader reader(reading_, source, lines, text, kind.name, list.size());
     reader.note_place("", text.header);
@@ -275,7 +275,7 @@ class SceneReader {
   }
 
   // Targets that differ in their position alone.
-  void read_alike(const Target& alike, const Leaf& positions, const Source& source, toml::Lines& lines,
+  void read_alike(const Target& alike, const Leaf& positions, const language::Source& source, toml::Lines& lines,
                   ObjectText& text) {
     const FieldSpec& spec = table_of<Target>().field<&Target::position_m>().spec;
     ObjectReader reader(reading_, source, lines, text, "target", scene_.targets.size());
@@ -422,16 +422,16 @@ ScriptReading read_format_2(std::string_view text, const std::string& file_name,
   read_names(sources, control.let, reading);
   Scene scene;
   SceneReader reader(reading, scene);
-  for (const Source& source : sources.sources) reader.read_worlds(source);
+  for (const language::Source& source : sources.sources) reader.read_worlds(source);
   reader.warn_of_anchor();
   reader.set_earth();
-  for (const Source& source : sources.sources) reader.read(source);
+  for (const language::Source& source : sources.sources) reader.read(source);
   core::Problems of_names = References(scene, reading).take();
   ScriptReading result{std::move(scene),   reading.log.take(), std::move(reading.places),
                        Language::format_2, is_json(text),      std::move(reading.names)};
   result.of_names = std::move(of_names);
   if (!control.draft) core::append(result.problems, std::exchange(result.of_names, {}));
-  for (const Source& source : sources.sources)
+  for (const language::Source& source : sources.sources)
     if (!source.name.empty()) result.included.emplace_back(source.file);
   return result;
 }

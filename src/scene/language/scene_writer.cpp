@@ -9,7 +9,7 @@
 #include "scene/language/format_mark.hpp"
 #include "scene/language/keys.hpp"
 #include "scene/language/value_text.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 #include "scene/schema/field_table.hpp"
 
 namespace sarsim::scene {

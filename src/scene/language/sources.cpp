@@ -10,6 +10,7 @@
 
 #include "core/text/number_text.hpp"
 #include "core/text/quoted_word.hpp"
+#include "core/toml/parse.hpp"
 #include "core/toml/values.hpp"
 #include "scene/language/format_mark.hpp"
 #include "scene/language/json_text.hpp"

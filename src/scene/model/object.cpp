@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
-#include "scene/model/object_lists.hpp"
 #include "scene/model/scene_index.hpp"
 
 namespace sarsim::scene {

@@ -1,8 +1,7 @@
-#include "scene/model/object.hpp"
 
 #include <gtest/gtest.h>
 
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 
 namespace sarsim::scene {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/text/number_text.hpp"
-#include "scene/model/scene_index.hpp"
 
 namespace sarsim::scene {
 
@@ -23,6 +22,11 @@ std::size_t find_by_name(const Objects& objects, std::string_view name) {
 }
 
 }  // namespace
+
+bool share_prefix(std::string_view a, std::string_view b) {
+  const std::size_t shared = std::min(a.size(), b.size());
+  return shared > 0 && core::equal_ignoring_case(a.substr(0, shared), b.substr(0, shared));
+}
 
 bool identical(const TargetTraits& a, const TargetTraits& b) {
   const auto members = {&TargetTraits::azimuth, &TargetTraits::elevation, &TargetTraits::azimuth_stddev,

@@ -33,6 +33,10 @@ struct Scene {
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
+/// True where one of two texts is the beginning of the other, without regard to case, and neither is empty: as the
+/// original programs compared (script format, strings).
+[[nodiscard]] bool share_prefix(std::string_view a, std::string_view b);
+
 /// Position of the platform that `name` means, or `not_found`: an exact match ignoring case first, otherwise the only
 /// platform of which `name` is a prefix (or that is a prefix of `name`). "Earth" where no platform has exactly that
 /// name is not found: it is the world itself, which `resolve` (simulate/resolve/resolved.hpp) knows without a

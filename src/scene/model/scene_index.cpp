@@ -21,11 +21,6 @@ std::vector<std::string_view> views_of_names(const std::vector<Object>& objects)
 
 }  // namespace
 
-bool share_prefix(std::string_view a, std::string_view b) {
-  const std::size_t shared = std::min(a.size(), b.size());
-  return shared > 0 && core::equal_ignoring_case(a.substr(0, shared), b.substr(0, shared));
-}
-
 NameTable::NameTable(std::vector<std::string_view> names) : names_(std::move(names)) {
   for (std::size_t i = 0; i < names_.size(); ++i) {
     const auto [first, is_new] = first_.try_emplace(core::lower_case(names_[i]), i);

@@ -14,10 +14,6 @@
 
 namespace sarsim::scene {
 
-/// True where one of two texts is the beginning of the other, without regard to case, and neither is empty: as the
-/// original programs compared (script format, strings).
-[[nodiscard]] bool share_prefix(std::string_view a, std::string_view b);
-
 /// The names of a scene's platforms or radars, for looking many of them up: agrees with `find_platform` and
 /// `find_radar` and says besides how a name was found.
 class NameTable {

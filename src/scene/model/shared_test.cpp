@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/schema/field_table.hpp"
 

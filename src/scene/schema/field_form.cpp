@@ -11,6 +11,7 @@
 #include "scene/schema/expression.hpp"
 #include "scene/schema/field_table.hpp"
 #include "scene/schema/trade_words.hpp"
+#include "scene/schema/unit_table.hpp"
 
 namespace sarsim::scene::field_forms {
 

@@ -6,7 +6,38 @@
 #include <vector>
 
 #include "scene/schema/field_spec.hpp"
-#include "scene/schema/fields.hpp"
+
+namespace sarsim::scene {
+
+class LetNames;
+
+/// What a field holds, and so how it is edited.
+enum class FieldKind {
+  quantity,  ///< A number with a unit.
+  text,      ///< A name or file name.
+  choice,    ///< One of `choices`.
+  check,     ///< "yes" or "no".
+  platform,  ///< The name of a platform of the scene.
+  radar,     ///< The name of a radar of the scene.
+  list,      ///< Legs, waypoints and the like; edited entry by entry (scene/schema/list_fields.hpp).
+  function,  ///< A user-defined function; edited by the function editor (scene/edit/function_model.hpp).
+};
+
+/// One field of one kind of object: everything a panel needs to show and edit it.
+struct Field {
+  std::string id;       ///< Member of the scene structure, with ".x", ".deg"... below: "position_m.x", "pulse_width_s".
+  std::string label;    ///< As the thesis's dialogs have it: "Pulse width".
+  std::string group;    ///< "Pulse"; groups appear in the order of their first field.
+  std::string tooltip;  ///< Meaning, formula and limits in a sentence or two.
+  FieldKind kind = FieldKind::quantity;
+  Quantity quantity = Quantity::number;
+  std::vector<std::string> choices;  ///< FieldKind::choice, as shown.
+  bool rare = false;                 ///< Shown a level down.
+  const FieldSpec* spec = nullptr;   ///< The field that this is, or is a part of.
+  std::size_t part = 0;              ///< Which part: of a vector 0 to 2, of flags their position.
+};
+
+}  // namespace sarsim::scene
 
 /// Fields as forms show them: a vector as three, flags as one for each. Internal to fields.cpp and field_names.cpp.
 namespace sarsim::scene::field_forms {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 #include "scene/schema/field_form.hpp"
 #include "scene/schema/function_table.hpp"
 #include "scene/schema/trade_words.hpp"

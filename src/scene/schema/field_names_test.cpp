@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 
 namespace sarsim::scene {
 namespace field_names_test {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "scene/schema/field_table.hpp"
-
 namespace sarsim::scene {
 
 int chosen(const FieldValue& value) {
@@ -34,12 +32,6 @@ const Choice* chosen_word(const FieldSpec& spec, const FieldValue& value) {
   for (const Choice& choice : spec.choices)
     if (choice.value == chosen(value) && !choice.word.empty()) return &choice;
   return nullptr;
-}
-
-bool operator==(const ConstListRef& a, const ConstListRef& b) {
-  return a.kind == b.kind && visit_elements(a.kind, a.list, [&]<class List>(const List& list) {
-           return list == *static_cast<const List*>(b.list);
-         });
 }
 
 std::string type_word(const Choice& choice) {
@@ -95,10 +87,6 @@ std::string_view script_unit(const FieldSpec& spec) {
   if (spec.quantity == Quantity::area) return "m^2";
   const auto units = units_of(spec.quantity);
   return units.empty() ? std::string_view{} : units.front();
-}
-
-void begin_constant(core::SampledFunction& function, double value) {
-  if (function.knots.empty()) function.knots.push_back({0.0, value});
 }
 
 }  // namespace sarsim::scene

@@ -11,7 +11,6 @@
 
 #include "scene/schema/field_form.hpp"
 #include "scene/schema/field_table.hpp"
-#include "scene/schema/fields.hpp"
 
 /// The form of a kind of object, made from its table. Internal to fields.cpp and list_fields.cpp.
 namespace sarsim::scene::field_forms {

@@ -58,22 +58,6 @@ std::string text_in(double value, const Unit& unit) {
 
 }  // namespace
 
-std::size_t number_length(std::string_view text) {
-  std::size_t i = 0;
-  if (i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
-  std::size_t digits = 0;
-  while (i < text.size() && core::is_digit(text[i])) ++i, ++digits;
-  if (i < text.size() && text[i] == '.') ++i;
-  while (i < text.size() && core::is_digit(text[i])) ++i, ++digits;
-  if (digits == 0) return 0;
-  if (i == text.size() || std::string_view("eEdD").find(text[i]) == std::string_view::npos) return i;
-  std::size_t end = i + 1;
-  if (end < text.size() && (text[end] == '+' || text[end] == '-')) ++end;
-  if (end == text.size() || !core::is_digit(text[end])) return i;
-  while (end < text.size() && core::is_digit(text[end])) ++end;
-  return end;
-}
-
 QuantityReading read_quantity(std::string_view text, Quantity quantity, std::string_view bare_unit) {
   const std::string plain = plain_text(text);
   const std::string_view typed = core::trimmed(plain);

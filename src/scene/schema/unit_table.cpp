@@ -346,6 +346,22 @@ std::string_view unit_meant_by(std::string_view typed) {
   return found == std::end(unit_spellings) ? std::string_view() : found->name;
 }
 
+std::size_t number_length(std::string_view text) {
+  std::size_t i = 0;
+  if (i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
+  std::size_t digits = 0;
+  while (i < text.size() && core::is_digit(text[i])) ++i, ++digits;
+  if (i < text.size() && text[i] == '.') ++i;
+  while (i < text.size() && core::is_digit(text[i])) ++i, ++digits;
+  if (digits == 0) return 0;
+  if (i == text.size() || std::string_view("eEdD").find(text[i]) == std::string_view::npos) return i;
+  std::size_t end = i + 1;
+  if (end < text.size() && (text[end] == '+' || text[end] == '-')) ++end;
+  if (end == text.size() || !core::is_digit(text[end])) return i;
+  while (end < text.size() && core::is_digit(text[end])) ++end;
+  return end;
+}
+
 std::optional<double> in_base_unit(std::string_view number, const Unit& unit) {
   if (unit.law == Unit::Law::decimal) return core::parse_number(number, unit.exponent);
   const auto plain = core::parse_number(number, unit.exponent);

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/schema/quantity.hpp"
+#include "scene/schema/quantity_kind.hpp"
 
 /// The units of quantities and the words about them, stated once for all that reads values: forms, --set, tables and
 /// expressions.
@@ -33,11 +33,6 @@ struct Unit {
   /// multiples have no meaning.
   [[nodiscard]] constexpr bool is_level() const { return law == Law::decibel || law == Law::offset; }
 };
-
-inline constexpr Quantity every_quantity[] = {
-    Quantity::number,     Quantity::length, Quantity::time,         Quantity::frequency, Quantity::angle,
-    Quantity::angle_rate, Quantity::area,   Quantity::power,        Quantity::ratio_db,  Quantity::temperature,
-    Quantity::voltage,    Quantity::speed,  Quantity::acceleration, Quantity::count};
 
 /// The units of a quantity, the base unit first; empty for pure numbers.
 [[nodiscard]] std::span<const Unit> unit_table(Quantity quantity);
@@ -66,6 +61,9 @@ struct UnitSearch {
 /// The name of the unit for another common spelling, ignoring case: "kn" for "knots", "us" for "usec"; empty if there
 /// is none.
 [[nodiscard]] std::string_view unit_meant_by(std::string_view typed);
+
+/// Length of the decimal number at the beginning of a text: sign, digits with a point, exponent; 0 where there is none.
+[[nodiscard]] std::size_t number_length(std::string_view text);
 
 /// A number (`number_length`) in a unit, in the base unit: correctly rounded once where the unit is a power of ten.
 /// Nothing where it is too large.

@@ -10,6 +10,7 @@
 #include "core/maths/rounding.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "scene/schema/unit_table.hpp"
 
 namespace sarsim::scene {
 

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 
 namespace sarsim::scene {
 namespace value_list_test {

@@ -8,7 +8,6 @@
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/script/problem_log.hpp"
-#include "scene/script/table_file.hpp"
 #include "scene/script/tokens.hpp"
 
 namespace sarsim::scene {

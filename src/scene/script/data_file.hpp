@@ -9,6 +9,7 @@
 #include "core/maths/sampled_function.hpp"
 #include "core/report/problem.hpp"
 #include "scene/schema/function_block.hpp"
+#include "scene/script/table_file.hpp"
 
 namespace sarsim::scene {
 
@@ -21,13 +22,6 @@ struct DataFileText {
 
 /// Finds the data file of a name as a script gives it. A function, so that scripts can be read without a disk.
 using DataFileLoader = std::function<DataFileText(const std::string& name)>;
-
-/// The points of a data file: one list for each function of the block.
-struct DataFileReading {
-  std::vector<std::vector<core::Knot>> functions;
-  core::Problems problems;
-  bool deferred = false;  ///< The file is HDF5: its table is read later, by code with that library; no points yet.
-};
 
 /// Reads a user-function data file: a text with, for each function of `block`, the number of points, then x and y of
 /// each point; or a table with a row for each x, as text or as a NumPy array (`table_file.hpp`). A text that cannot be

@@ -11,7 +11,6 @@
 #include "core/text/letters.hpp"
 #include "core/text/quoted_word.hpp"
 #include "scene/schema/unit_table.hpp"
-#include "scene/script/table_file.hpp"
 
 namespace sarsim::scene {
 
@@ -318,6 +317,17 @@ class ColumnNames {
 };
 
 }  // namespace
+
+Quantity quantity_of(const FunctionAxis& axis) {
+  static constexpr std::array<std::pair<std::string_view, Quantity>, 6> known{{{"s", Quantity::time},
+                                                                               {"m", Quantity::length},
+                                                                               {"deg", Quantity::angle},
+                                                                               {"dB", Quantity::ratio_db},
+                                                                               {"GHz", Quantity::frequency},
+                                                                               {"V", Quantity::voltage}}};
+  const auto found = std::ranges::find(known, axis.unit, &std::pair<std::string_view, Quantity>::first);
+  return found == known.end() ? Quantity::number : found->second;
+}
 
 std::vector<std::size_t> usual_columns(const FunctionBlock& block, std::size_t columns) {
   const bool has_x = columns == block.count + 1 || (block.role == FunctionRole::azimuth_cut && columns == 2);

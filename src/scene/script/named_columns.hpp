@@ -6,10 +6,14 @@
 #include <vector>
 
 #include "scene/schema/function_block.hpp"
+#include "scene/schema/quantity.hpp"
 #include "scene/schema/table_text.hpp"
 
 /// Columns of the tables of functions by the names that a line of names gives them.
 namespace sarsim::scene {
+
+/// The quantity of an axis; numbers in tables are in its base unit unless a heading names another.
+[[nodiscard]] Quantity quantity_of(const FunctionAxis& axis);
 
 /// Which of the axes of a block the columns of a table may be, in the order without names: 0 is x, 1 the first value.
 /// Two columns of an antenna are x and a gain that both cuts have, two of a pulse I and Q, or x and I.

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 #include "scene/script/read_commands.hpp"
 
 namespace sarsim::scene::script {

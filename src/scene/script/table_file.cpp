@@ -16,7 +16,6 @@
 #include "scene/schema/field_spec.hpp"
 #include "scene/schema/table_text.hpp"
 #include "scene/schema/unit_table.hpp"
-#include "scene/script/named_columns.hpp"
 
 namespace sarsim::scene {
 
@@ -317,17 +316,6 @@ static_assert(std::endian::native == std::endian::little);
 std::string shape_words(const std::vector<std::size_t>& shape) { return fmt::format("({})", fmt::join(shape, ", ")); }
 
 }  // namespace
-
-Quantity quantity_of(const FunctionAxis& axis) {
-  static constexpr std::array<std::pair<std::string_view, Quantity>, 6> known{{{"s", Quantity::time},
-                                                                               {"m", Quantity::length},
-                                                                               {"deg", Quantity::angle},
-                                                                               {"dB", Quantity::ratio_db},
-                                                                               {"GHz", Quantity::frequency},
-                                                                               {"V", Quantity::voltage}}};
-  const auto found = std::ranges::find(known, axis.unit, &std::pair<std::string_view, Quantity>::first);
-  return found == known.end() ? Quantity::number : found->second;
-}
 
 bool is_hdf5(std::string_view bytes) { return bytes.starts_with("\x89HDF\r\n\x1a\n"); }
 

@@ -6,15 +6,20 @@
 #include <string_view>
 #include <vector>
 
+#include "core/maths/sampled_function.hpp"
+#include "core/report/problem.hpp"
 #include "scene/schema/function_block.hpp"
-#include "scene/schema/quantity.hpp"
-#include "scene/script/data_file.hpp"
+#include "scene/script/named_columns.hpp"
 
 /// Data files of functions that are tables: rows of x and the values at x (docs/formats/script.md, "Data files").
 namespace sarsim::scene {
 
-/// The quantity of an axis; numbers in tables are in its base unit unless a heading names another.
-[[nodiscard]] Quantity quantity_of(const FunctionAxis& axis);
+/// The points of a data file: one list for each function of the block.
+struct DataFileReading {
+  std::vector<std::vector<core::Knot>> functions;
+  core::Problems problems;
+  bool deferred = false;  ///< The file is HDF5: its table is read later, by code with that library; no points yet.
+};
 
 /// Whether bytes are those of an HDF5 file. Its table is the dataset /points, which only the HDF5 library can read.
 [[nodiscard]] bool is_hdf5(std::string_view bytes);

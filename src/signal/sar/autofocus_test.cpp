@@ -10,7 +10,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
-#include "signal/sar/phase_gradient.hpp"
+#include "signal/sar/autofocus.hpp"
 
 namespace sarsim::signal {
 namespace autofocus_test {
@@ -341,17 +341,6 @@ TEST(AutofocusOfAStrip, LeavesPointsWhereTheyAre) {
   }
   EXPECT_LT(worst_cells, 0.1);
   EXPECT_GT(lowest_db, -1.0);
-}
-
-TEST(BestLine, IsThatOfTheLeastWeightedSquares) {
-  const std::vector<double> x{0.0, 1.0, 3.0, 100.0}, weights{1.0, 2.0, 3.0, 0.0};
-  const StraightLine line = best_line(x, std::vector<double>{5.0, 3.0, -1.0, 1e6}, weights);
-  EXPECT_NEAR(line.constant, 5.0, 1e-12);
-  EXPECT_NEAR(line.slope, -2.0, 1e-12);
-  EXPECT_EQ(best_line(x, x, std::vector<double>(4)).slope, 0.0);
-  const StraightLine level =
-      best_line(std::vector<double>{2.0, 2.0}, std::vector<double>{1.0, 4.0}, std::vector<double>{2.0, 1.0});
-  EXPECT_NEAR(level.at(7.0), 2.0, 1e-12);
 }
 
 TEST(AutofocusOfAStrip, LeavesASharpStripAlone) {

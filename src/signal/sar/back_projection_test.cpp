@@ -8,6 +8,7 @@
 
 #include "core/maths/window.hpp"
 #include "signal/measure/response_test_support.hpp"
+#include "signal/sar/echo_records.hpp"
 #include "signal/sar/reference_track.hpp"
 #include "signal/sar/sar_test_support.hpp"
 

@@ -13,7 +13,9 @@
 #include "radar/path/path.hpp"
 #include "signal/row/raw_samples.hpp"
 #include "signal/row/smooth_row.hpp"
-#include "signal/sar/focusing.hpp"
+#include "signal/sar/focus_options.hpp"
+#include "signal/sar/sar_echoes.hpp"
+#include "signal/sar/sar_image.hpp"
 #include "signal/sar/sar_track.hpp"
 
 namespace sarsim::signal {

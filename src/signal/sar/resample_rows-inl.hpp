@@ -9,8 +9,8 @@
 #include <cstdint>
 
 #include "radar/path/path.hpp"
-#include "signal/sar/back_projection_kernel.hpp"
 #include "signal/sar/projection_point.hpp"
+#include "signal/sar/projection_tile.hpp"
 
 namespace sarsim::signal {
 

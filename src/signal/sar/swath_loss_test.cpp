@@ -1,4 +1,5 @@
 #include "signal/sar/swath_loss.hpp"
+#include "signal/sar/back_projection.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/maths/constants.hpp"
+#include "core/maths/fft.hpp"
 #include "core/report/expect.hpp"
-#include "signal/search/cfar_calibration.hpp"
 #include "signal/search/cfar_factor.hpp"
 
 namespace sarsim::signal {
@@ -136,6 +136,22 @@ double cfar_factor(std::size_t cells, const CfarOptions& options) {
   CORE_EXPECT(options.independence > 0.0 && options.independence <= 1.0);
   CORE_EXPECT(options.calibration > 0.0);
   return options.calibration * independent_factor(cells, options);
+}
+
+std::vector<std::complex<double>> noise_correlation(std::span<const std::complex<double>> filter) {
+  double energy = 0.0;
+  for (const std::complex<double>& tap : filter) energy += std::norm(tap);
+  if (!(energy > 0.0)) return {1.0};
+  const core::Fft fft(core::good_fft_size(2 * filter.size()));
+  std::vector<std::complex<double>> values(filter.begin(), filter.end());
+  values.resize(fft.size());
+  fft.forward(values);
+  for (std::complex<double>& value : values) value = std::norm(value);
+  fft.inverse(values);
+  values.resize(filter.size());
+  for (std::complex<double>& value : values) value /= energy * static_cast<double>(fft.size());
+  values[0] = 1.0;
+  return values;
 }
 
 std::vector<double> power_correlation(std::span<const std::complex<double>> filter) {

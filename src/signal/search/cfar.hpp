@@ -61,6 +61,10 @@ struct CfarDetection {
 /// Factor on the noise for a cell with so many reference cells.
 [[nodiscard]] double cfar_factor(std::size_t cells, const CfarOptions& options);
 
+/// rho[m], m = 0 ... taps - 1: the correlation of white noise that passed a filter, rho[0] = 1. {1} for a filter
+/// without energy.
+[[nodiscard]] std::vector<std::complex<double>> noise_correlation(std::span<const std::complex<double>> filter);
+
 /// |rho[m]|^2, m = 0, 1 ..., rho being the correlation of white noise that passed a filter.
 [[nodiscard]] std::vector<double> power_correlation(std::span<const std::complex<double>> filter);
 

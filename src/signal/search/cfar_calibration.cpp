@@ -251,22 +251,6 @@ bool is_white(const std::vector<Complex>& matrix, std::size_t size) {
 
 }  // namespace
 
-std::vector<Complex> noise_correlation(std::span<const Complex> filter) {
-  double energy = 0.0;
-  for (const Complex& tap : filter) energy += std::norm(tap);
-  if (!(energy > 0.0)) return {1.0};
-  const core::Fft fft(core::good_fft_size(2 * filter.size()));
-  std::vector<Complex> values(filter.begin(), filter.end());
-  values.resize(fft.size());
-  fft.forward(values);
-  for (Complex& value : values) value = std::norm(value);
-  fft.inverse(values);
-  values.resize(filter.size());
-  for (Complex& value : values) value /= energy * static_cast<double>(fft.size());
-  values[0] = 1.0;
-  return values;
-}
-
 CorrelatedMean::CorrelatedMean(std::vector<Complex> matrix, std::size_t size) {
   CORE_EXPECT(size > 1 && matrix.size() == size * size);
   for (std::size_t k = 0; k + 1 < size; ++k) {

@@ -17,10 +17,6 @@ struct NoiseCorrelation {
   std::vector<std::complex<double>> along_rows{1.0};
 };
 
-/// rho[m], m = 0 ... taps - 1: the correlation of white noise that passed a filter, rho[0] = 1. {1} for a filter
-/// without energy.
-[[nodiscard]] std::vector<std::complex<double>> noise_correlation(std::span<const std::complex<double>> filter);
-
 /// Probability that a cell of noise exceeds `factor` times the mean of its reference cells, exact for complex normal
 /// noise of any correlation, also between the cell and its reference. With z the cell and its N reference cells of
 /// correlation matrix R, and A = diag(1, -a/N, ... -a/N), it is the probability of z^H A z > 0. R A has one positive

@@ -7,16 +7,9 @@
 #include <vector>
 
 #include "simulate/plan/acquisition.hpp"
+#include "simulate/plan/engine_kind.hpp"
 
 namespace sarsim::simulate {
-
-/// How echoes are summed: by one of the kernels of `row_kernels()`.
-enum class Engine {
-  automatic,
-  reference,  ///< Plain double-precision sum (radar/echo/reference_kernel.hpp).
-  direct,     ///< Sample by sample in SIMD (radar/echo/direct_kernel.hpp).
-  spectral,   ///< Non-uniform Fourier transform (radar/echo/spectral_kernel.hpp).
-};
 
 /// The word of an engine on the command line and in files.
 [[nodiscard]] std::string_view name_of(Engine engine);

@@ -11,7 +11,7 @@
 #include "radar/echo/reference_kernel.hpp"
 #include "radar/echo/spectral_kernel.hpp"
 #include "simulate/plan/cost_of_pulse.hpp"
-#include "simulate/plan/engine.hpp"
+#include "simulate/plan/engine_kind.hpp"
 #include "simulate/plan/machine_speed.hpp"
 
 namespace sarsim::simulate {

@@ -6,7 +6,7 @@
 #include "core/report/problem.hpp"
 #include "simulate/plan/acquisition.hpp"
 #include "simulate/plan/range_ambiguities.hpp"
-#include "simulate/survey/survey.hpp"
+#include "simulate/survey/survey_echoes.hpp"
 
 namespace sarsim::simulate {
 

@@ -7,7 +7,7 @@
 #include "radar/echo/reference_kernel.hpp"
 #include "radar/path/path.hpp"
 #include "radar/receiver/converter.hpp"
-#include "radar/waveform/pulse_shape.hpp"
+#include "radar/waveform/pulse.hpp"
 #include "simulate/survey/pulse_motion.hpp"
 
 namespace sarsim::simulate {

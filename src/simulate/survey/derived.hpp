@@ -1,7 +1,7 @@
 #pragma once
 
 #include "simulate/plan/acquisition.hpp"
-#include "simulate/survey/survey.hpp"
+#include "simulate/survey/survey_echoes.hpp"
 
 /// Figures that follow from what a script says and that a radar engineer checks first.
 namespace sarsim::simulate {

@@ -10,6 +10,7 @@
 #include "simulate/plan/simulate_test_scene.hpp"
 #include "simulate/survey/derived.hpp"
 #include "simulate/survey/survey.hpp"
+#include "simulate/survey/survey_echoes.hpp"
 
 namespace sarsim::simulate {
 namespace pulse_motion_test {

@@ -8,7 +8,6 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
-#include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "radar/receiver/converter.hpp"
@@ -20,6 +19,7 @@
 #include "simulate/survey/limit_rules.hpp"
 #include "simulate/survey/noise_energy.hpp"
 #include "simulate/survey/pulse_motion.hpp"
+#include "simulate/survey/survey_echoes.hpp"
 #include "simulate/survey/table_rules.hpp"
 #include "simulate/survey/visibility_rules.hpp"
 
@@ -330,16 +330,6 @@ SurveyReport survey_report(const scene::Scene& scene, std::shared_ptr<const Reso
 core::Problems survey(const scene::Scene& scene, std::shared_ptr<const ResolvedScene> resolved,
                       const core::WorkControl& control) {
   return survey_report(scene, std::move(resolved), control).problems;
-}
-
-const TargetVisibility& EchoSummary::strongest() const {
-  CORE_EXPECT(!sights.empty());
-  return *std::ranges::max_element(sights, {}, &TargetVisibility::amplitude_v);
-}
-
-const TargetVisibility& EchoSummary::weakest() const {
-  CORE_EXPECT(!sights.empty());
-  return *std::ranges::min_element(sights, {}, &TargetVisibility::amplitude_v);
 }
 
 }  // namespace sarsim::simulate

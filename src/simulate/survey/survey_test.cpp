@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "simulate/plan/simulate_test_scene.hpp"
+#include "simulate/survey/survey_echoes.hpp"
 
 namespace sarsim::simulate {
 namespace survey_test {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "simulate/survey/survey.hpp"
+#include "simulate/survey/survey_echoes.hpp"
 #include "simulate/survey/target_visibility.hpp"
 
 namespace sarsim::simulate {

@@ -4,6 +4,7 @@
 
 #include "core/report/problem.hpp"
 #include "scene/model/scene.hpp"
+#include "simulate/survey/survey_echoes.hpp"
 #include "simulate/survey/visibility_rules.hpp"
 
 namespace sarsim::simulate {

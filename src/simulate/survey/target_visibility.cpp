@@ -271,4 +271,14 @@ radar::BeamOffset VisibilitySurvey::direction() const {
           std::asin(std::clamp(line_of_sight_m.z / length_m, -1.0, 1.0))};
 }
 
+const TargetVisibility& EchoSummary::strongest() const {
+  CORE_EXPECT(!sights.empty());
+  return *std::ranges::max_element(sights, {}, &TargetVisibility::amplitude_v);
+}
+
+const TargetVisibility& EchoSummary::weakest() const {
+  CORE_EXPECT(!sights.empty());
+  return *std::ranges::min_element(sights, {}, &TargetVisibility::amplitude_v);
+}
+
 }  // namespace sarsim::simulate

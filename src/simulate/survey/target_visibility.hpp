@@ -59,4 +59,20 @@ class VisibilitySurvey {
   Link radar_;
 };
 
+/// What a recording will hold, in a few numbers.
+struct EchoSummary {
+  std::size_t simulation = 0;  ///< Position in the scene's list.
+  std::size_t targets = 0;     ///< Of the scene.
+  std::size_t in_window = 0;   ///< Of them, those that the window meets.
+  std::vector<TargetVisibility>
+      sights;              ///< Of those, at most 64: all, or an even choice with the strongest and the weakest.
+  bool directive = false;  ///< The radar has an antenna with a beam.
+  bool noise = false;      ///< The receiver has noise; without it there is no SNR.
+
+  /// The strongest of `sights`; expects at least one.
+  [[nodiscard]] const TargetVisibility& strongest() const;
+  /// The weakest of `sights`; expects at least one.
+  [[nodiscard]] const TargetVisibility& weakest() const;
+};
+
 }  // namespace sarsim::simulate

@@ -7,6 +7,7 @@
 
 #include "simulate/plan/simulate_test_scene.hpp"
 #include "simulate/survey/survey.hpp"
+#include "simulate/survey/survey_echoes.hpp"
 
 namespace sarsim::simulate {
 namespace sight_test {

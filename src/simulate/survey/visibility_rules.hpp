@@ -1,6 +1,12 @@
 #pragma once
 
-#include "simulate/survey/survey.hpp"
+#include <cstddef>
+
+#include "core/report/problem.hpp"
+#include "core/task/parallel.hpp"
+#include "scene/model/scene.hpp"
+#include "simulate/plan/acquisition.hpp"
+#include "simulate/survey/target_visibility.hpp"
 
 namespace sarsim::simulate {
 

@@ -11,9 +11,6 @@ namespace sarsim::workflow {
 
 class TargetAspects;
 
-/// Scenes of more targets are not examined target by target before they are focused.
-inline constexpr std::size_t max_examined_targets = 4096;
-
 /// The Doppler frequencies that focusing keeps.
 struct DopplerBand {
   double centroid_hz = 0.0;

@@ -9,6 +9,7 @@
 #include "signal/sar/ground_sight.hpp"
 #include "signal/sar/reference_track.hpp"
 #include "workflow/focus/seen_spectrum.hpp"
+#include "workflow/focus/target_aspects.hpp"
 #include "workflow/focus/target_sights.hpp"
 
 namespace sarsim::workflow {

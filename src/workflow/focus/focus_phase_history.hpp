@@ -1,6 +1,9 @@
 #pragma once
 
-#include "workflow/focus/focus.hpp"
+#include <string>
+
+#include "core/task/observer.hpp"
+#include "workflow/focus/focus_pipeline.hpp"
 
 namespace sarsim::workflow {
 

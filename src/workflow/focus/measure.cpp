@@ -23,6 +23,7 @@
 #include "workflow/focus/edge_remark.hpp"
 #include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/movers.hpp"
+#include "workflow/focus/target_aspects.hpp"
 #include "workflow/image/image_output.hpp"
 #include "workflow/image/image_script.hpp"
 #include "workflow/image/sicd_image.hpp"

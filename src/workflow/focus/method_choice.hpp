@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/task/parallel.hpp"
-#include "workflow/focus/focus.hpp"
+#include "workflow/focus/focus_pipeline.hpp"
 
 namespace sarsim::workflow {
 

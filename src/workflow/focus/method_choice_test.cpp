@@ -1,4 +1,5 @@
 #include "workflow/focus/method_choice.hpp"
+#include "workflow/focus/focus.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -9,6 +9,7 @@
 #include "signal/sar/sar_track.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 #include "workflow/focus/azimuth_ambiguities.hpp"
+#include "workflow/focus/target_aspects.hpp"
 
 namespace sarsim::workflow {
 

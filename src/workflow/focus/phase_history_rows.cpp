@@ -10,7 +10,7 @@
 #include "core/maths/fft.hpp"
 #include "core/maths/turns.hpp"
 #include "core/report/invalid_request.hpp"
-#include "raster/cphd/vector_check.hpp"
+#include "raster/cphd/cphd_file.hpp"
 
 namespace sarsim::workflow {
 

@@ -1,7 +1,6 @@
 #include "workflow/focus/target_aspects.hpp"
 
 #include "simulate/plan/pulse_geometry.hpp"
-#include "workflow/focus/azimuth_ambiguities.hpp"
 
 #include <algorithm>
 #include <array>

@@ -17,6 +17,9 @@
 
 namespace sarsim::workflow {
 
+/// Scenes of more targets are not examined target by target before they are focused.
+inline constexpr std::size_t max_examined_targets = 4096;
+
 /// One pulse's sight of one target, as focusing takes it: from where the antenna was, or, where its motion is
 /// compensated, from the nearest point of the straight line.
 struct TargetAspect {

@@ -13,7 +13,7 @@
 #include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/edit/edit.hpp"
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 #include "scene/schema/field_names.hpp"
 #include "scene/schema/field_table.hpp"
 #include "scene/schema/function_table.hpp"

@@ -12,6 +12,7 @@
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/survey/beam_passes.hpp"
 #include "simulate/survey/survey.hpp"
+#include "simulate/survey/survey_echoes.hpp"
 #include "workflow/focus/matched_filter_coverage.hpp"
 
 namespace sarsim::workflow {

@@ -13,6 +13,7 @@
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "core/text/separated.hpp"
+#include "scene/schema/unit_table.hpp"
 
 namespace sarsim::workflow {
 

@@ -17,6 +17,7 @@
 
 #include "core/os/disk_room.hpp"
 #include "core/os/output_file.hpp"
+#include "core/report/invalid_request.hpp"
 #include "core/task/clock.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/counted.hpp"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "scene/model/object_lists.hpp"
+#include "scene/model/object.hpp"
 #include "scene/schema/field_names.hpp"
 
 namespace sarsim::workflow {

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "workflow/sweep/sweep_plan.hpp"
+#include "workflow/sweep/sweep_axes.hpp"
 #include "workflow/sweep/sweep_request.hpp"
+#include "workflow/sweep/sweep_row.hpp"
 
 namespace sarsim::workflow {
 
