@@ -493,7 +493,7 @@ FIGURES = [
             f"sarsim plot strayed.img {STRIP_VIEW} --title 'Not compensated' -o motion_none.png",
         ],
         "Nine points of a strip, seen from an aircraft that leaves its line by a metre, which is 30 wavelengths. Where"
-        " that is not taken out of the echoes, the points are smeared along the track by up to 50 m.",
+        " that is not removed from the echoes, the points are smeared along the track by up to 50 m.",
         [
             Number("points found", "1", 9, "script", 0, "d", lambda lab: found_targets(lab, FOCUS_MOTION)),
             Number("farthest from its place", "m", 0.0, "theory", 0.02, ".3f", lambda lab: worst_place(lab, FOCUS_MOTION)),

@@ -28,7 +28,7 @@ class Platform(SceneObject):
     position = VectorField(
         "position",
         "m",
-        "Place of the platform's origin in world coordinates. Only where path is stationary.",
+        "Position of the platform's origin in world coordinates. Only where path is stationary.",
     )
     trajectory = PointsField(
         "trajectory",
@@ -38,7 +38,7 @@ class Platform(SceneObject):
     ephemeris_file = TextField(
         "ephemeris_file",
         "",
-        "Sentinel-1 EOF, CCSDS OEM, SP3, a table t, x, y, z, or mean elements as TLE or OMM. Only the table may stand over a flat world. Only where path is ephemeris.",
+        "Sentinel-1 EOF, CCSDS OEM, SP3, a table t, x, y, z, or mean elements as TLE or OMM. Only the table works over a flat world. Only where path is ephemeris.",
     )
     satellite = TextField(
         "satellite",
@@ -95,7 +95,7 @@ class Platform(SceneObject):
     legs = TextField(
         "legs",
         "",
-        "Straight pieces, turns and climbs one after another; straight on before and behind them. Only where path is legs.",
+        "Straight legs, turns and climbs in sequence; straight on before and after them. Only where path is legs.",
     )
     waypoints = TextField(
         "waypoints",
@@ -105,12 +105,12 @@ class Platform(SceneObject):
     bank = NumberField(
         "bank",
         "deg",
-        "Of the turns past waypoints: radius v^2/(g tan bank). Takes 0 to 89 deg. Only where path is waypoints.",
+        "Bank angle of the turns at waypoints, of radius v^2/(g tan bank). Takes 0 to 89 deg. Only where path is waypoints.",
     )
     acceleration_mps2 = NumberField(
         "acceleration_mps2",
         "m/s2",
-        "From the speed of one waypoint to that of the next; 0: it steps. Takes 0 or more. Only where path is waypoints.",
+        "Between the speeds of successive waypoints; 0: the speed steps. Takes 0 or more. Only where path is waypoints.",
     )
     speed = NumberField(
         "speed",
@@ -118,17 +118,17 @@ class Platform(SceneObject):
         "Level speed at the start. Takes 0 or more. Only where path is legs or waypoints.",
     )
     start_s = NumberField("start", "s", "When the platform is at the start. Only where path is legs or waypoints.")
-    leader = TextField("leader", "", "The platform beside which this one flies. Only where path is relative.")
+    leader = TextField(
+        "leader",
+        "",
+        "The platform with which this one flies in formation. Only where path is relative.",
+    )
     offset = VectorField(
         "offset",
         "m",
         "Along the leader's level heading, to the left of it, and up. Only where path is relative.",
     )
-    delay = NumberField(
-        "delay",
-        "s",
-        "The platform is where the leader was that long ago. Only where path is relative.",
-    )
+    delay = NumberField("delay", "s", "Time by which the platform trails the leader. Only where path is relative.")
     rotation_kind = ChoiceField(
         "rotation_kind",
         {"fixed": "Fixed", "points": "User-defined", "coordinated": "Coordinated", "zero-doppler": "Zero Doppler", "nadir": "Nadir", "look-at": "Look at", "quaternions": "Quaternions"},
@@ -137,7 +137,7 @@ class Platform(SceneObject):
     rotation = VectorField(
         "rotation",
         "deg",
-        "Rotation about each axis, clockwise seen against it, from its tip: positive z turns +x towards -y; roll about x first, then y, then z. Added to the roll, pitch and yaw of coordinated flight; behind the other kinds it turns the platform further. Only where rotation_kind is fixed or coordinated or zero-doppler or nadir or look-at or quaternions.",
+        "Rotation about each axis, clockwise seen against it, from its tip: positive z turns +x towards -y; roll about x first, then y, then z. Added to the roll, pitch and yaw of coordinated flight; with the other kinds it is added to their rotation. Only where rotation_kind is fixed or coordinated or zero-doppler or nadir or look-at or quaternions.",
     )
     rotation_deg = PointsField(
         "rotation",
@@ -147,7 +147,7 @@ class Platform(SceneObject):
     attack = NumberField(
         "attack",
         "deg",
-        "By which the x axis points above the path. Takes -90 to 90 deg. Only where rotation_kind is coordinated.",
+        "Angle of the x axis above the path. Takes -90 to 90 deg. Only where rotation_kind is coordinated.",
     )
     look_at = VectorField(
         "look_at",
@@ -198,7 +198,7 @@ class Platform(SceneObject):
     airspeed = NumberField(
         "airspeed",
         "m/s",
-        "At which the gusts are met. Takes 1 to 1000 m/s. Only where position_error is gusts.",
+        "Airspeed through the gusts. Takes 1 to 1000 m/s. Only where position_error is gusts.",
     )
     response = NumberField(
         "response",
@@ -208,12 +208,12 @@ class Platform(SceneObject):
     hold = NumberField(
         "hold",
         "s",
-        "Of the loop that brings the aircraft back to its path. Takes 0.1 to 10000 s. Only where position_error is gusts.",
+        "Period of the control loop that returns the aircraft to its path. Takes 0.1 to 10000 s. Only where position_error is gusts.",
     )
     hold_damping = NumberField(
         "hold_damping",
         "",
-        "Share of the critical damping. Takes 0.05 to 10. Only where position_error is gusts.",
+        "Fraction of critical damping. Takes 0.05 to 10. Only where position_error is gusts.",
     )
     rotation_error = ChoiceField(
         "rotation_error",
@@ -244,7 +244,7 @@ class Platform(SceneObject):
     wave_period = NumberField(
         "wave_period",
         "s",
-        "Of the most energetic waves: about 7.5 s in sea states 2 and 3, 8.8 in 4, 9.7 in 5, 12.4 in 6, 15 in 7, 16.4 in 8. Takes 0.5 to 30 s. Only where waves is ship.",
+        "Period of the most energetic waves: about 7.5 s in sea states 2 and 3, 8.8 in 4, 9.7 in 5, 12.4 in 6, 15 in 7, 16.4 in 8. Takes 0.5 to 30 s. Only where waves is ship.",
     )
     wave_heading = NumberField("wave_heading", "deg", "Azimuth to which the waves go. Only where waves is ship.")
     ship_length = NumberField("ship_length", "m", "At the waterline. Takes 1 to 1 km. Only where waves is ship.")
@@ -262,17 +262,17 @@ class Platform(SceneObject):
     roll_damping = NumberField(
         "roll_damping",
         "",
-        "Share of the critical damping: 0.05 bare, 0.1 with bilge keels. Takes 0.005 to 2. Only where waves is ship.",
+        "Fraction of critical damping: 0.05 bare, 0.1 with bilge keels. Takes 0.005 to 2. Only where waves is ship.",
     )
     wave_count = NumberField(
         "wave_count",
         "",
-        "Sinusoids that stand for the sea; 20 to 40 look like one. Takes 1 to 1000. Only where waves is ship.",
+        "Number of sinusoids that model the sea; 20 to 40 are enough. Takes 1 to 1000. Only where waves is ship.",
     )
     navigation = ChoiceField(
         "navigation",
         {"exact": "Exact", "ins": "Inertial"},
-        "What is believed of the motion: motion files and focusing can use it in place of the true one. One of \"exact\" (the motion is known as it is), \"ins\" (known with the errors of an inertial system).",
+        "Measured (navigation) motion, which motion files and focusing can use instead of the true motion. One of \"exact\" (the motion is known as it is), \"ins\" (known with the errors of an inertial system).",
     )
     accelerometer_mps2 = VectorField(
         "accelerometer_mps2",
@@ -300,7 +300,7 @@ class Platform(SceneObject):
         "s",
         "Integral of the correlation (1 + 2 t/T) exp(-2 t/T). Takes 0.001 to 1000000 s. Only where navigation is ins.",
     )
-    aligned_s = NumberField("aligned_s", "s", "Biases and drifts begin to count then. Only where navigation is ins.")
+    aligned_s = NumberField("aligned_s", "s", "Time from which biases and drifts act. Only where navigation is ins.")
 
 
 class Target(SceneObject):
@@ -310,7 +310,7 @@ class Target(SceneObject):
     _kind = "target"
 
     platform = TextField("platform", "", "The platform that carries the target; coordinates are in its frame.")
-    position = VectorField("position", "m", "Place of the target in the platform's frame.")
+    position = VectorField("position", "m", "Position of the target in the platform's frame.")
     position_stddev = VectorField(
         "position_stddev",
         "m",
@@ -504,7 +504,7 @@ class Radar(SceneObject):
     _kind = "radar"
 
     name = TextField("name", "", "Recordings and geometry tables refer to the radar by this name.")
-    platform = TextField("platform", "", "The radar stands at the origin of this platform.")
+    platform = TextField("platform", "", "The radar is at the origin of this platform.")
     pulse = ChoiceField(
         "pulse",
         {"mono": "Monochrome", "chirp": "Chirp", "points": "User-defined", "barker": "Barker"},
@@ -535,16 +535,8 @@ class Radar(SceneObject):
         {"rectangular": "Rectangular", "linear": "Linear", "points": "User-defined"},
         "Amplitude over the pulse: constant, with straight rise and fall, or given. One of \"rectangular\" (constant amplitude within the pulse), \"linear\" (straight rise and fall), \"points\" (envelope given by points).",
     )
-    rise = NumberField(
-        "rise",
-        "s",
-        "From nothing to the full amplitude. Takes 0 or more. Only where envelope is linear.",
-    )
-    fall = NumberField(
-        "fall",
-        "s",
-        "From the full amplitude to nothing. Takes 0 or more. Only where envelope is linear.",
-    )
+    rise = NumberField("rise", "s", "From zero to full amplitude. Takes 0 or more. Only where envelope is linear.")
+    fall = NumberField("fall", "s", "From full amplitude to zero. Takes 0 or more. Only where envelope is linear.")
     envelope_gain = PointsField(
         "envelope_gain",
         "",
@@ -593,7 +585,7 @@ class Radar(SceneObject):
     noise_temperature = NumberField(
         "noise_temperature",
         "K",
-        "Of the receiver: noise power is k T B. 0 for no noise. Takes 0 or more.",
+        "Receiver noise temperature: noise power is k T B. 0 for no noise. Takes 0 or more.",
     )
     transmit_gain = NumberField(
         "transmit_gain",
@@ -632,7 +624,7 @@ class Radar(SceneObject):
     beam_target = PointsField(
         "beam_target",
         "",
-        "World x, y and z of the point at which the beam looks, against time. Only where beam is points.",
+        "World x, y and z of the beam's look-at point against time. Only where beam is points.",
     )
     window = ChoiceField(
         "window",
@@ -652,7 +644,7 @@ class Radar(SceneObject):
     taylor_sidelobes_db = NumberField(
         "taylor_sidelobes_db",
         "dB",
-        "How far the first sidelobes lie below the peak. Takes 10 to 100 dB. Only where window is taylor.",
+        "Level of the first sidelobes below the peak. Takes 10 to 100 dB. Only where window is taylor.",
     )
     taylor_equal_sidelobes = NumberField(
         "taylor_equal_sidelobes",
@@ -667,7 +659,7 @@ class Radar(SceneObject):
     stc = ChoiceField(
         "stc",
         {"none": "None", "range-law": "1/R^4", "points": "User-defined"},
-        "Gain against range before the A/D converter: none, one that takes the loss with range out of the echoes, or given. One of \"none\" (no sensitivity-time control), \"range-law\" (takes the loss with range out of the echoes), \"points\" (gain given by points).",
+        "Gain against range before the A/D converter: none, compensating the range loss, or given. One of \"none\" (no sensitivity-time control), \"range-law\" (takes the loss with range out of the echoes), \"points\" (gain given by points).",
     )
     stc_gain = PointsField("stc_gain", "", "Voltage gain against range. Only where stc is points.")
 
@@ -704,7 +696,11 @@ class Recording(SceneObject):
         "Hz",
         "Complex samples per second; at least the bandwidth of the pulse. Columns lie c/(2 fs) apart. Takes above 0.",
     )
-    bits = NumberField("bits", "", "Of I and of Q; counts reach from -(2^(bits-1) - 1) to 2^(bits-1). Takes 1 to 64.")
+    bits = NumberField(
+        "bits",
+        "",
+        "Bits per I and Q channel; counts range from -(2^(bits-1) - 1) to 2^(bits-1). Takes 1 to 64.",
+    )
     lsb = NumberField("lsb", "V", "Volts of one count. 0: estimated as the largest magnitude/(2^(bits-1) - 1).")
     processing = ChoiceField(
         "processing",
@@ -720,7 +716,7 @@ class Recording(SceneObject):
     pulse_position = ChoiceField(
         "pulse_position",
         {"begin": "Start", "centre": "Centre"},
-        "Whether a target's range is where its pulse starts or the centre of its pulse. One of \"begin\" (a target's range is where its pulse begins), \"centre\" (a target's range is the centre of its pulse).",
+        "Which part of the echo is placed at the target's range: its leading edge or its centre. One of \"begin\" (a target's range is where its pulse begins), \"centre\" (a target's range is the centre of its pulse).",
     )
     oversampling = NumberField(
         "oversampling",
@@ -730,7 +726,7 @@ class Recording(SceneObject):
     width_factor = NumberField(
         "width_factor",
         "",
-        "Length of a band-limited pulse that is kept, in pulse widths, 1 or more; 0 keeps all of it (in the classic profile: 1). Takes 0 to 100.",
+        "Length of the band-limited pulse that is kept, in pulse widths, 1 or more; 0 keeps all of it (in the classic profile: 1). Takes 0 to 100.",
     )
 
 
@@ -818,7 +814,7 @@ class Geometry(SceneObject):
 
 
 class Atmosphere(LoneObject):
-    """What lies between radars and what they see: air, rain, the ionosphere."""
+    """What lies between radars and targets: air, rain, the ionosphere."""
 
     __slots__ = ()
     _kind = "atmosphere"
@@ -826,7 +822,7 @@ class Atmosphere(LoneObject):
     refraction = ChoiceField(
         "refraction",
         {"none": "None", "exponential": "Exponential", "linear": "Linear"},
-        "By how much air delays echoes: 2.3 m one way at the zenith. Rays stay straight. One of \"none\" (the air is as quick as vacuum), \"exponential\" (refractivity falls with exp(-h/H)), \"linear\" (refractivity falls evenly, by the factor k).",
+        "Delay of echoes by the air: 2.3 m one way at the zenith. Rays stay straight. One of \"none\" (the air is as quick as vacuum), \"exponential\" (refractivity falls with exp(-h/H)), \"linear\" (refractivity falls evenly, by the factor k).",
     )
     refractivity = NumberField(
         "refractivity",
@@ -854,7 +850,7 @@ class Atmosphere(LoneObject):
         "",
         "In mm/h, the same everywhere below the rain height; loss by ITU-R P.838-3, 1 to 1000 GHz. Takes 0 to 500.",
     )
-    rain_top = NumberField("rain_top", "m", "Up to which it rains. Takes 0 to 20 km.")
+    rain_top = NumberField("rain_top", "m", "Height up to which it rains. Takes 0 to 20 km.")
     polarisation = NumberField(
         "polarisation",
         "deg",
@@ -868,7 +864,7 @@ class Atmosphere(LoneObject):
     shell_height = NumberField(
         "shell_height",
         "m",
-        "Where all electrons are taken to be; a radar below sees none. Takes 100000 to 1000 km.",
+        "Height of the thin shell that contains all electrons; a radar below it sees none. Takes 100000 to 1000 km.",
     )
     field_ut = NumberField(
         "field_ut",
@@ -878,7 +874,7 @@ class Atmosphere(LoneObject):
 
 
 class Options(LoneObject):
-    """What holds for everything that is made of the scene; the command line overrides it."""
+    """Settings for all outputs of the scene; the command line overrides them."""
 
     __slots__ = ()
     _kind = "options"
@@ -891,7 +887,7 @@ class Options(LoneObject):
     seed = WholeField(
         "seed",
         "",
-        "Of all random numbers: the same seed gives the same noise and jitter. Takes 0 to 18446744073709551615.",
+        "Seed of all random numbers: the same seed gives the same noise and jitter. Takes 0 to 18446744073709551615.",
     )
     pulse = ChoiceField(
         "pulse",
@@ -901,20 +897,20 @@ class Options(LoneObject):
     tolerance = NumberField(
         "tolerance",
         "",
-        "Largest error of the echoes that a fast method may make, relative to the echo; 1e-12 to 0.1. Takes above 0.",
+        "Largest error of a fast method, relative to the echo; 1e-12 to 0.1. Takes above 0.",
     )
     cubic_ends = ChoiceField(
         "cubic_ends",
         {"chords": "Chords", "not-a-knot": "Not a knot"},
-        "What CUBIC functions do at their first and last point: the slope of a chord, or what the next points say, which orbits and other bent paths need. One of \"chords\" (slopes of the first and last chord, as since 1998), \"not-a-knot\" (one cubic through the first three points and one through the last three).",
+        "End condition of CUBIC functions: the slope of the end chord, or not-a-knot, as orbits and other curved paths need. One of \"chords\" (slopes of the first and last chord, as since 1998), \"not-a-knot\" (one cubic through the first three points and one through the last three).",
     )
     ambiguous_echoes = ChoiceField(
         "ambiguous_echoes",
         {"strong": "Strong", "all": "All", "none": "None"},
-        "Echoes of pulses sent earlier or later that arrive within the range window. The classic profile never has them. One of \"strong\" (those above -60 dB of the strongest echo), \"all\" (all that reach the window), \"none\" (a row holds the echoes of its own pulse).",
+        "Range-ambiguous echoes: of pulses sent earlier or later, arriving within the range window. The classic profile never has them. One of \"strong\" (those above -60 dB of the strongest echo), \"all\" (all that reach the window), \"none\" (a row holds the echoes of its own pulse).",
     )
     eclipsing = ChoiceField(
         "eclipsing",
         {"none": "None", "blanked": "Blanked"},
-        "Whether samples that fall on a pulse being sent are received or are 0. One of \"none\" (the receiver goes on while the radar sends), \"blanked\" (samples are 0 while the radar sends).",
+        "Whether the receiver stays on or is blanked while the radar transmits. One of \"none\" (the receiver goes on while the radar sends), \"blanked\" (samples are 0 while the radar sends).",
     )

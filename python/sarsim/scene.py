@@ -317,7 +317,7 @@ class Scene:
 
     @property
     def atmosphere(self) -> "Atmosphere":
-        """What lies between radars and what they see: air, rain, the ionosphere."""
+        """What lies between radars and targets: air, rain, the ionosphere."""
         from ._objects import Atmosphere
 
         return Atmosphere(self)

@@ -9,9 +9,9 @@
  *
  * Problems. The last argument of such a function takes a list of everything that is wrong or worth knowing: errors where
  * it failed, warnings and notes where it did not, NULL where there is nothing. It is freed with sarsim_problems_free. The
- * argument may be NULL, where nobody asks.
+ * argument may be NULL if it is not needed.
  *
- * Handles. What ends in `_free` gives a handle back; NULL is allowed there. A handle keeps what it needs: a plan may be
+ * Handles. Functions that end in `_free` release a handle; NULL is allowed there. A handle keeps what it needs: a plan may be
  * used after its scene was freed. Strings that a function returns belong to the handle and live as long as it does,
  * unless the function says otherwise.
  *
@@ -69,12 +69,12 @@ typedef int sarsim_status;
 enum {
   SARSIM_OK = 0,           /* Done. */
   SARSIM_BAD_INPUT = 1,    /* Mistakes in a scene, a file or a value; all of them are in the list. */
-  SARSIM_STOPPED = 2,      /* As a sarsim_stop asked. Nothing is left behind; memory of the caller's is half filled. */
+  SARSIM_STOPPED = 2,      /* Stopped by a sarsim_stop. No partial output is left; memory of the caller is partly filled. */
   SARSIM_NO_MEMORY = 3,    /* The list may be NULL then. */
   SARSIM_FAILED = 4,       /* A failure of the world: a disk that is full, a folder that cannot be written. */
   SARSIM_BAD_ARGUMENT = 5, /* A mistake in the calling program: NULL, an index out of range, an unknown structure. */
-  SARSIM_TRY_AGAIN = 6     /* Nobody's mistake: another process holds what is needed, or the system failed in a way that
-                              may pass. The same call may succeed later. */
+  SARSIM_TRY_AGAIN = 6     /* Temporary failure: another process locks what is needed, or the system failed
+                              temporarily. The same call may succeed later. */
 };
 
 /* A status in a word: "ok", "bad input", "stopped", "no memory", "failed", "bad argument",
@@ -97,11 +97,11 @@ typedef struct sarsim_problems sarsim_problems;
 typedef int sarsim_severity;
 enum {
   SARSIM_ERROR = 0,   /* The call failed for it. */
-  SARSIM_WARNING = 1, /* Probably not what was meant. */
+  SARSIM_WARNING = 1, /* Probably a mistake. */
   SARSIM_NOTE = 2     /* Worth knowing. */
 };
 
-/* One thing that is wrong. Texts are "" and numbers 0 where there is nothing to say. */
+/* One problem. Texts are "" and numbers 0 where they do not apply. */
 typedef struct sarsim_problem {
   size_t struct_size;
   sarsim_severity severity;
@@ -109,7 +109,7 @@ typedef struct sarsim_problem {
   const char* found;    /* The text or value that is to blame. */
   const char* expected; /* What would have been right. */
   const char* hint;     /* How to mend it. */
-  const char* file;     /* Where it stands, with line and column (in bytes) from 1. */
+  const char* file;     /* File of the problem, with line and column (in bytes) from 1. */
   size_t line;
   size_t column;
   const char* object;  /* What it is about: "platform", "target", "cloud", "surface", "radar", "simulation", "geometry",
@@ -137,7 +137,7 @@ SARSIM_API void sarsim_stop_free(sarsim_stop* stop);
  * and from a signal handler. */
 SARSIM_API void sarsim_stop_request(sarsim_stop* stop);
 
-/* Told how far work has come: `done` of `total` units (mostly rows) of a stage, named for people. Called on the thread
+/* Reports progress: `done` of `total` units (mostly rows) of a stage, named for people. Called on the thread
  * that called the function, never from two threads at once, and not after the function has returned. It may call
  * sarsim_stop_request; it must not free what the function works on, nor leave by longjmp or an exception. */
 typedef void (*sarsim_progress)(void* user, const char* stage, uint64_t done, uint64_t total);
@@ -147,7 +147,7 @@ typedef struct sarsim_work {
   size_t struct_size;
   unsigned threads;         /* 0: one for each core. */
   const sarsim_stop* stop;  /* NULL: nothing stops it. */
-  sarsim_progress progress; /* NULL: nobody looks on. */
+  sarsim_progress progress; /* NULL: no progress reports. */
   void* user;               /* For `progress`. */
 } sarsim_work;
 
@@ -165,10 +165,10 @@ typedef struct sarsim_scene_options {
 } sarsim_scene_options;
 
 /* Reads a scene, in either language, with the files that it includes and names. SARSIM_BAD_INPUT with all mistakes of the
- * text; otherwise remarks, with the warnings about these files. Whether it can be simulated, sarsim_scene_check says. */
+ * text; otherwise remarks, with the warnings about these files. sarsim_scene_check tells whether it can be simulated. */
 SARSIM_API sarsim_status sarsim_scene_read_file(const char* path, const sarsim_scene_options* options,
                                                 sarsim_scene** scene, sarsim_problems** problems);
-/* The same from `length` bytes. `name` is that of a file that need not exist: problems have it as their place, and
+/* The same from `length` bytes. `name` is that of a file that need not exist: problems refer to it, and
  * included files and data files are looked for in its folder. NULL: "scene", in the current folder. */
 SARSIM_API sarsim_status sarsim_scene_read_text(const char* text, size_t length, const char* name,
                                                 const sarsim_scene_options* options, sarsim_scene** scene,
@@ -183,11 +183,11 @@ enum {
 };
 
 /* The scene as it is now, as a text; comments of the text that was read are not in it. SARSIM_BAD_INPUT where the
- * language cannot say it. */
+ * language cannot express it. */
 SARSIM_API sarsim_status sarsim_scene_text(const sarsim_scene* scene, sarsim_language language, sarsim_text** text,
                                            sarsim_problems** problems);
 
-/* Everything that is wrong with the scene or worth knowing about its echoes, as `sarsim check` lists it. SARSIM_BAD_INPUT
+/* Errors, warnings and notes on the scene and its echoes, as `sarsim check` lists them. SARSIM_BAD_INPUT
  * where it cannot be simulated. */
 SARSIM_API sarsim_status sarsim_scene_check(const sarsim_scene* scene, const sarsim_work* work,
                                             sarsim_problems** problems);
@@ -232,7 +232,7 @@ SARSIM_API sarsim_status sarsim_scene_set_points(sarsim_scene* scene, const char
  * be NULL. */
 SARSIM_API sarsim_status sarsim_scene_add(sarsim_scene* scene, const char* kind, const char* name, size_t* index,
                                           sarsim_problems** problems);
-/* Removes an object; with a platform goes what stands on it, with a radar its recordings. */
+/* Removes an object; a platform together with all objects on it, a radar together with its recordings. */
 SARSIM_API sarsim_status sarsim_scene_remove(sarsim_scene* scene, const char* kind, size_t index,
                                              sarsim_problems** problems);
 /* Adds `count` targets on a platform: x, y, z of each in `positions_m`, cross-sections in `rcs_m2` (NULL: 1 m2). */
@@ -245,7 +245,7 @@ SARSIM_API sarsim_status sarsim_scene_add_cloud(sarsim_scene* scene, const char*
                                                 size_t count, const double* positions_m, const double* rcs_m2,
                                                 sarsim_problems** problems);
 
-/* The fields of an object that mean something as it is, as a JSON array of objects: name (as sarsim_scene_get takes it),
+/* The fields of an object that apply with its present choices, as a JSON array of objects: name (as sarsim_scene_get takes it),
  * id, value (a text), number (of fields that are numbers or a yes or no), unit (that the number is in). Kinds as in
  * sarsim_scene_count, and "options" and "atmosphere". */
 SARSIM_API sarsim_status sarsim_scene_fields(const sarsim_scene* scene, const char* kind, size_t index,
@@ -303,7 +303,7 @@ typedef struct sarsim_plan_info {
 SARSIM_API sarsim_status sarsim_plan_get_info(const sarsim_plan* plan, sarsim_plan_info* info,
                                               sarsim_problems** problems);
 
-/* What is known of each row or column. */
+/* Known values for each row or column. */
 typedef int sarsim_axis;
 enum {
   SARSIM_ROW_TIME_S = 0,       /* When its (first) pulse is sent; a number for each row. */
@@ -382,20 +382,20 @@ SARSIM_API int sarsim_table_is_number(const sarsim_table* table, size_t column);
 /* Copies the numbers of a column to `values`, which has room for all rows: NaN for what is empty or none. */
 SARSIM_API sarsim_status sarsim_table_numbers(const sarsim_table* table, size_t column, double* values,
                                               sarsim_problems** problems);
-/* A value as it stands in the text; "" where there is none. */
+/* A value as text; "" where there is none. */
 SARSIM_API const char* sarsim_table_text(const sarsim_table* table, size_t row, size_t column);
 /* All of it as comma-separated values. */
 SARSIM_API const char* sarsim_table_csv(const sarsim_table* table);
 
 /* -------------------------------------------------------------------------------------------------------- Rasters */
 
-/* Samples in rows and columns, with what is known of them: a file of any format that Sarsim reads, an image that was
+/* Samples in rows and columns, with their metadata: a file of any format that Sarsim reads, an image that was
  * made, or the caller's memory. */
 typedef struct sarsim_raster sarsim_raster;
 SARSIM_API void sarsim_raster_free(sarsim_raster* raster);
 
-/* Opens a file of samples: recordings, images, pictures. `options` are "NAME=VALUE" (sarsim_options of "raster"): what is
- * said of a file that does not describe itself. Its samples stay in the file until they are read; a text is read through,
+/* Opens a file of samples: recordings, images, pictures. `options` are "NAME=VALUE" (sarsim_options of "raster"): the
+ * layout of a file that does not describe itself. Its samples stay in the file until they are read; a text is read through,
  * which `work` can stop. */
 SARSIM_API sarsim_status sarsim_raster_open(const char* path, const char* const* options, size_t option_count,
                                             const sarsim_work* work, sarsim_raster** raster,
@@ -404,7 +404,7 @@ SARSIM_API sarsim_status sarsim_raster_open(const char* path, const char* const*
  * the raster and everything that was made of it are freed. `pairs` 0: rows * columns real numbers. */
 SARSIM_API sarsim_status sarsim_raster_of_floats(const float* samples, uint64_t rows, uint64_t columns, int pairs,
                                                  sarsim_raster** raster, sarsim_problems** problems);
-/* Says where the rows or columns of such a raster are. `name` is one of those of sarsim_axis_info: "pulse_time_s",
+/* Sets the coordinates of the rows or columns of such a raster. `name` is one of those of sarsim_axis_info: "pulse_time_s",
  * "carrier_hz", "azimuth_m", "cross_range_m", "y_m" of rows; "slant_range_m", "ground_range_m", "x_m" of columns.
  * Copies `count` values. */
 SARSIM_API sarsim_status sarsim_raster_set_axis(sarsim_raster* raster, const char* name, const double* values,
@@ -460,7 +460,7 @@ SARSIM_API sarsim_status sarsim_raster_axis_info(const sarsim_raster* raster, si
 SARSIM_API sarsim_status sarsim_raster_axis(const sarsim_raster* raster, size_t index, uint64_t first, uint64_t count,
                                             double* values, sarsim_problems** problems);
 
-/* Which samples of a raster are wanted. All zeros but for the size, or NULL in place of it: all of them. */
+/* Which samples of a raster to read. All zeros but for the size, or NULL in place of it: all of them. */
 typedef struct sarsim_window {
   size_t struct_size;
   uint64_t first_row;
@@ -517,8 +517,8 @@ SARSIM_API sarsim_status sarsim_result_table(const sarsim_result* result, size_t
                                              sarsim_problems** problems);
 
 /* The functions below take `options`: the words of the command of the same name, without hyphens before them: "window=hann",
- * "algorithm=back-projection", "autofocus". sarsim_options lists them. Names of files say that something is to be written;
- * what is not written stays in memory. Numbers of threads come from `work`. */
+ * "algorithm=back-projection", "autofocus". sarsim_options lists them. Names of files request files;
+ * results without a file stay in memory. Numbers of threads come from `work`. */
 
 /* The options of "focus", "profiles", "isar", "doppler", "search", "measure", "geometry", "theory", "export", "sweep",
  * "raster" or "write": as lines for people, or as a JSON array of objects with the members name, kind ("flag", "text", "texts",
@@ -545,7 +545,7 @@ SARSIM_API sarsim_status sarsim_search(const sarsim_source* source, const char* 
 /* Measures the point targets of an image that sarsim_focus made, in memory or in a file: table 0, a row for each. */
 SARSIM_API sarsim_status sarsim_measure(const sarsim_raster* image, const char* const* options, size_t option_count,
                                         const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);
-/* What theory says of the targets in the image that sarsim_focus would make with these options: table 0. Reads no
+/* Expected values for the targets in the image that sarsim_focus would make with these options: table 0. Reads no
  * echoes. */
 SARSIM_API sarsim_status sarsim_theory(const sarsim_source* source, const char* const* options, size_t option_count,
                                        const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);
@@ -553,7 +553,7 @@ SARSIM_API sarsim_status sarsim_theory(const sarsim_source* source, const char* 
  * describe. */
 SARSIM_API sarsim_status sarsim_geometry(const sarsim_source* source, const char* const* options, size_t option_count,
                                          const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);
-/* Writes echoes as a file of a standard that programs of others read: CPHD or CRSD, as the ending of the option "out" says.
+/* Writes echoes as a file of a standard that programs of others read: CPHD or CRSD, by the extension of the option "out".
  * The report has its vectors and samples. The file appears when it is complete. */
 SARSIM_API sarsim_status sarsim_export(const sarsim_source* source, const char* const* options, size_t option_count,
                                        const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);

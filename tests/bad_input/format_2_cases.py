@@ -149,7 +149,7 @@ def units():
         instead(
             'repetition = "500 Hz"', 'repetition = "@2 ms"', "The interval is given, not the frequency.", "takes a freq"
         ),
-        instead('"3 GHz"', "3 @GHz", "A value with a unit stands in quotes.", "stands in quotes"),
+        instead('"3 GHz"', "3 @GHz", "A value with a unit needs straight quotes.", "needs straight quotes"),
         instead('"100 MHz"', '"100 @mHz"', "A small m is milli, a capital M is mega.", "write MHz"),
         instead(
             POWER, 'power = "1 @mw"', "Capital and small letters matter here: milliwatts or megawatts?", "mW or MW"
@@ -187,7 +187,7 @@ def expressions():
     return [
         instead('speed = "100 m/s"', 'sped = "100 m/s"', "A name of [let] is misspelt.", "did you mean 'sped'"),
         instead('"speed", 0, 0', '"@Speed", 0, 0', "Capital letters count in names of [let].", "did you mean 'speed'"),
-        instead('["speed", 0, 0]', "[@speed, 0, 0]", "An expression stands in quotes.", "stands in quotes", errors=2),
+        instead('["speed", 0, 0]', "[@speed, 0, 0]", "An expression needs straight quotes.", "needs straight quotes", errors=2),
         instead(
             'speed = "100 m/s"',
             'speed = "@twice / 2"\ntwice = "speed * 2"',
@@ -274,9 +274,9 @@ def references():
         instead('platform = "Plane"', 'platform = @"Plan"', "The beginning of a name is not enough.", 'mean "Plane"'),
         instead('radar = "R"', 'radar = @"Radar"', "There is no radar of this name.", "no radar of this name"),
         instead("[[target]]\n", f"{double}[[target]]\n", "Two platforms have one name.", "this name"),
-        behind(POWER, '@power = "2 kW"', "A field is given twice.", "stands twice"),
+        behind(POWER, '@power = "2 kW"', "A field is given twice.", "appears twice"),
         behind(f"pulse = {PULSE}", '@pulse.width = "3 us"', "A table in braces is complete.", "cannot be extended"),
-        instead('name = "Plane"', "name = @Plane", "Text stands in quotes.", "stands in quotes", errors=2),
+        instead('name = "Plane"', "name = @Plane", "Text needs straight quotes.", "needs straight quotes", errors=2),
         instead('name = "R"', "name = @5", "A name is a text.", "not a string", errors=2),
     ]
 
@@ -323,10 +323,10 @@ def brackets():
         instead("[[radar]]", "[[radar@]", "A bracket of a header is missing.", r"expected \]\]"),
         instead("[[radar]]", '[[radar]] @name = "R2"', "A header stands in a line of its own.", "line should end"),
         instead('"3 GHz"', '@"3 GHz', "A quote is missing.", "not closed"),
-        instead('"3 GHz"', "@“3 GHz”", "Word processors make other quotes.", "stands in quotes"),
+        instead('"3 GHz"', "@“3 GHz”", "Word processors make other quotes.", "needs straight quotes"),
         instead("[20, 60, 0]", "@[20, 60, 0", "A bracket is missing.", r"closing \]"),
         instead("[20, 60, 0]", "[20, 60, 0]@]", "There is one bracket too many.", "line should end"),
-        instead("[20, 60, 0]", "@(20, 60, 0)", "Arrays have square brackets.", "not known"),
+        instead("[20, 60, 0]", "@(20, 60, 0)", "Arrays have square brackets.", "not a TOML value"),
         instead('"2 us" }', '"2 us", @}', "No comma stands before the brace.", "no comma"),
         instead('{ type = "chirp", b', '@{ type = "chirp",\n  b', "A table in braces stands in one line.", "same line"),
         instead('"chirp", bandwidth', '"chirp" @bandwidth', "A comma is missing.", "comma"),
@@ -372,7 +372,7 @@ def texts():
         Mistake("The file is not there.", "no such file", command="check scenes.toml", typed="nothing"),
         Mistake(
             "Nothing is recorded.",
-            "asks for nothing",
+            "defines nothing to compute",
             whole='format = "sarsim 2"\n',
             typed="the line with the format alone",
             status=0,

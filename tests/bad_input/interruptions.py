@@ -79,7 +79,7 @@ def attempt(case, folder):
         found.append(f"took {seconds:.1f} s of processors to end")
     if status != case.status:
         found.append(f"exit status {status} instead of {case.status}")
-    if case.number != signal.SIGKILL and seen.err.count("sarsim: interrupted; nothing unfinished was left behind") != 1:
+    if case.number != signal.SIGKILL and seen.err.count("sarsim: interrupted; no partial output was left behind") != 1:
         found.append("the interruption is not told")
     return seen, found + left
 

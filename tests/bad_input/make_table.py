@@ -67,7 +67,7 @@ def row(case):
     command = f"`{case.shown}`".replace("|", "\\|") if case.shown else ""
     if isinstance(case, interruptions.Interruption):
         killed = case.status < 0
-        message = "" if killed else "sarsim: interrupted; nothing unfinished was left behind"
+        message = "" if killed else "sarsim: interrupted; no partial output was left behind"
         status = "killed" if killed else case.status
     else:
         seen, _ = groups.attempt(case)

@@ -37,7 +37,7 @@ def recording_cases():
             "no_pulse",
             "azimuth window between two pulses",
             script(window("900 1400\n0.0001 @0.0002")),
-            message=["no pulse leaves", "for instance 0 s or 1 ms"],
+            message=["no pulse is sent", "for instance 0 s or 1 ms"],
         ),
         Case(
             "no_sample",
@@ -91,7 +91,7 @@ def recording_cases():
             "table_without_pulse",
             "geometry table between two pulses",
             {SCRIPT: SCENE + "$GEOMETRY Radar1 0 2000 0.0001 @0.0002 SPACE 227 t.txt\n"},
-            message=["no pulse leaves"],
+            message=["no pulse is sent"],
         ),
         Case("no_bits", "A/D converter of 0 bits", script(("8 0.1 0", "@0 0.1 0")), message=["bits"]),
         Case("many_bits", "A/D converter of 65 bits", script(("8 0.1 0", "@65 0.1 0")), message=["bits"]),
@@ -107,7 +107,7 @@ def recording_cases():
             script(("8 0.1 0", "8 @0.01 0")),
             ("run", SCRIPT, "--strict"),
             severity="warning",
-            message=["fold back"],
+            message=["alias back"],
             shown="sarsim run scene.scr --strict",
         ),
         Case(
@@ -309,7 +309,7 @@ def target_cases():
             "target_at_radar",
             "target at the radar's position",
             script(("$TARGET Car\n0 0 0", "$TARGET Ground\n@0 0 0")),
-            message=["stands at the position of radar 'Radar1'", "move the target"],
+            message=["is at the position of radar 'Radar1'", "move the target"],
         ),
         Case(
             "everything_at_origin",
@@ -321,7 +321,7 @@ def target_cases():
                     "BEGIN 1 1\n$SIMULATION Radar1 900 1400 0 0.01 8 0.1 0 BINARY RAW other.bin BEGIN 1 1\n",
                 ),
             ),
-            message=["stands at the position"],
+            message=["is at the position"],
         ),
         Case(
             "target_through_radar",
@@ -332,7 +332,7 @@ def target_cases():
                 ("900 1400\n0 0.019", "0 1400\n0 2"),
             ),
             alone=False,
-            message=["stands at the position of radar 'Radar1'.*pulse 777"],
+            message=["is at the position of radar 'Radar1'.*pulse 777"],
         ),
         Case(
             "faster_than_light",
@@ -364,7 +364,7 @@ def target_cases():
             script(("\n1 0\nISO", "\n@-1 0\nISO")),
             ("run", SCRIPT, "--strict"),
             severity="warning",
-            message=["negative, which counts as zero"],
+            message=["negative and counts as zero"],
             shown="sarsim run scene.scr --strict",
         ),
         Case(

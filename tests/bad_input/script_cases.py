@@ -13,7 +13,7 @@ def file_cases():
     """The script as a file."""
     return [
         Case("empty_script", "script without a word", {SCRIPT: ""}, message=["no scene: it seems to be an empty file"]),
-        Case("blank_script", "script of comments only", {SCRIPT: "! nothing\n\n"}, message=["asks for nothing"]),
+        Case("blank_script", "script of comments only", {SCRIPT: "! nothing\n\n"}, message=["defines nothing to compute"]),
         Case("missing_script", "script that does not exist", message=["scene.scr: error: .*no such file"]),
         Case("folder_as_script", "folder in place of the script", {f"{SCRIPT}/x": ""}, message=["is a folder"]),
         Case(
@@ -60,7 +60,7 @@ def file_cases():
             "nothing_asked",
             "script that describes nothing: options alone",
             {SCRIPT: "$OPTIONS SEED 2\n"},
-            message=[r"scene\.scr: .*asks for nothing"],
+            message=[r"scene\.scr: .*defines nothing to compute"],
         ),
     ]
 

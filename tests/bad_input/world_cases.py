@@ -104,7 +104,7 @@ def command_cases():
             "geometry_no_pulse",
             "times between two pulses",
             ("geometry", SCRIPT, "--radar", "Radar1", "--start", "0.0001", "--end", "0.0002"),
-            "no pulse leaves",
+            "no pulse is sent",
         ),
     ]
 

@@ -124,7 +124,7 @@ TEST_F(Commands, CheckCountsProblemsOfEveryScript) {
 TEST_F(Commands, CheckSaysWhatLaterCommandsWillSay) {
   const Finished check = sarsim({"check", SARSIM_SOURCE_DIR "/examples/search_radar.scr"});
   EXPECT_EQ(check.status, 0);
-  EXPECT_THAT(check.out, HasSubstr("note: sarsim search: 1 of 2 targets move faster than the PRF tells apart"));
+  EXPECT_THAT(check.out, HasSubstr("note: sarsim search: 1 of 2 targets exceed the unambiguous speed"));
   EXPECT_THAT(sarsim({"check", SARSIM_SOURCE_DIR "/examples/search_radar.scr", "--json"}).out,
               HasSubstr("sarsim search: 1 of 2 targets"));
 }

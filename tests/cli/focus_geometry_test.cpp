@@ -232,7 +232,7 @@ Flight strayed() {
 
 TEST_F(FocusGeometry, SaysAtOnceWhatCannotBe) {
   write(strayed());
-  expect_refused({"--height", "-1e5"}, "the ground is farther away than all ranges of the recording",
+  expect_refused({"--height", "-1e5"}, "the ground is beyond all ranges of the recording",
                  "give the ground another --height");
   const auto expect_early = [&](std::vector<std::string> words, const std::string& what) {
     words.insert(words.begin(), {"focus", "scene.scr", "--out", "image.img"});
@@ -242,8 +242,8 @@ TEST_F(FocusGeometry, SaysAtOnceWhatCannotBe) {
     EXPECT_THAT(run.err, testing::Not(HasSubstr("image.img"))) << "work began";
   };
   expect_early({"--doppler-centroid", "nonsense"}, "--doppler-centroid: invalid 'nonsense'");
-  expect_early({"--doppler-bandwidth", "9999"}, "the Doppler bandwidth does not fit between two pulses");
-  expect_early({"--autofocus", "--autofocus-piece", "1e6"}, "autofocus cannot work on pieces of 1e+06 m");
+  expect_early({"--doppler-bandwidth", "9999"}, "the processed Doppler bandwidth exceeds the PRF");
+  expect_early({"--autofocus", "--autofocus-piece", "1e6"}, "autofocus cannot use sub-apertures of 1e+06 m");
   expect_early({"--autofocus", "--memory", "1M"}, "but --memory allows 1.05 MB");
 }
 
@@ -277,13 +277,12 @@ TEST_F(FocusGeometry, SaysThatTheAntennaTurnsBack) {
   Flight flight;
   flight.along_m = [](double t) { return -100.0 * t - 100.0 * t * t; };
   write(flight);
-  expect_refused({"--algorithm", "omega-k"}, "the antenna turns back along its line",
-                 "use --algorithm back-projection");
+  expect_refused({"--algorithm", "omega-k"}, "the antenna reverses along its track", "use --algorithm back-projection");
   const Finished left_open = sarsim({"focus", "scene.scr", "--out", "image.img", "--json"});
   EXPECT_EQ(left_open.status, 0) << left_open.err;
   EXPECT_THAT(left_open.out, HasSubstr("\"algorithm\": \"back-projection\""));
   EXPECT_THAT(left_open.err,
-              HasSubstr("back-projection instead of omega-k: the antenna flies around, not along a line"));
+              HasSubstr("back-projection instead of omega-k: the antenna flies around the scene, not along a line"));
 }
 
 TEST_F(FocusGeometry, OfAFewPulsesOrRowsIsLeftWithoutAutofocus) {

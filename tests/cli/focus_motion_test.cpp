@@ -117,8 +117,9 @@ TEST_F(FocusMotion, IsCompensatedToTheSecondOrderWithoutBeingAsked) {
   const Finished focus = sarsim({"focus", strip, "--out", "image.img", "--json"});
   ASSERT_EQ(focus.status, 0) << focus.err;
   EXPECT_THAT(focus.out, HasSubstr("\"motion_compensation\": \"second\""));
-  EXPECT_THAT(focus.err, HasSubstr("motion compensation of second order: the antenna strays by up to"));
-  EXPECT_THAT(focus.err, testing::Not(HasSubstr("leaves the straight line")));
+  EXPECT_THAT(focus.err,
+              HasSubstr("motion compensation of second order: the track deviates from the fitted line by up to"));
+  EXPECT_THAT(focus.err, testing::Not(HasSubstr("deviates from the straight line")));
   const std::string found = sarsim({"measure", "image.img", "--json"}).out;
   // Nine points on each other's sidelobes, and the change of the delay over range and beam that is left over: a
   // hundredth of the cells of 0.9 m and 1.5 m.
@@ -140,7 +141,7 @@ TEST_F(FocusMotion, IsBlurredWithoutCompensationAndTurnedAtOtherRangesWithTheFir
   EXPECT_GT(errors("first"), 0.1);
   EXPECT_LT(errors("second"), 0.01);
   const Finished plain = sarsim({"focus", strip, "--motion-compensation", "none", "--out", "plain.img"});
-  EXPECT_THAT(plain.err, HasSubstr("leaves the straight line"));
+  EXPECT_THAT(plain.err, HasSubstr("deviates from the straight line"));
 }
 
 // The example with its beam turned forward and the ground 700 m farther on, where it meets the targets.
@@ -226,7 +227,7 @@ TEST_F(FocusMotion, ThatNavigationDoesNotKnowIsTakenOutByAutofocus) {
   EXPECT_GT(blurred_db, 3.0);
   EXPECT_LT(mean_of(magnitudes_of(measure.out, "amplitude_error_db")), 0.6);
   EXPECT_LT(number_of(focus.out, "entropy_after"), 0.9 * number_of(focus.out, "entropy_before"));
-  EXPECT_THAT(focus.err, HasSubstr("autofocus took out"));
+  EXPECT_THAT(focus.err, HasSubstr("autofocus removed"));
   EXPECT_THAT(focus.out, HasSubstr("\"applied\": true"));
   const std::string csv = text_of(folder_ / "phase.csv");
   EXPECT_THAT(csv, testing::StartsWith("along_m,phase_rad\n"));
@@ -260,8 +261,8 @@ TEST_F(FocusMotion, SaysWhatDoesNotGoTogether) {
           "give the ground another --height");
   refused({"--autofocus-piece", "10"}, "add --autofocus");
   refused({"--autofocus", "--autofocus-piece", "0"}, "--autofocus-piece must be above 0");
-  refused({"--autofocus", "--autofocus-piece", "1e6"}, "autofocus cannot work on pieces of 1e+06 m");
-  refused({"--autofocus", "--memory", "4M"}, "autofocus holds the image in memory");
+  refused({"--autofocus", "--autofocus-piece", "1e6"}, "autofocus cannot use sub-apertures of 1e+06 m");
+  refused({"--autofocus", "--memory", "4M"}, "autofocus needs the whole image in memory");
   refused({"--motion-compensation", "third"}, "none, first, second");
 }
 
@@ -278,12 +279,12 @@ TEST_F(FocusMotion, OfPulsesAtOddTimesIsLeftToBackProjection) {
   write_text(folder_ / "odd.scr", script_of_odd_times());
   const Finished focus = sarsim({"focus", "odd.scr", "--quiet", "--algorithm", "omega-k"});
   EXPECT_EQ(focus.status, 2);
-  EXPECT_THAT(focus.err, HasSubstr("the distance between pulses changes by up to"));
+  EXPECT_THAT(focus.err, HasSubstr("the along-track pulse spacing changes by up to"));
   EXPECT_THAT(focus.err, HasSubstr("use --algorithm back-projection"));
   const Finished left_open = sarsim({"focus", "odd.scr", "--json", "--azimuth", "-20:20"});
   EXPECT_EQ(left_open.status, 0) << left_open.err;
   EXPECT_THAT(left_open.out, HasSubstr("\"algorithm\": \"back-projection\""));
-  EXPECT_THAT(left_open.err, HasSubstr("back-projection instead of omega-k: the distance between pulses changes by"));
+  EXPECT_THAT(left_open.err, HasSubstr("back-projection instead of omega-k: the along-track pulse spacing changes by"));
 }
 
 // An aircraft that speeds up is at both ends of the flight farther than the line that fits it best: the compensated

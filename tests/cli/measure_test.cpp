@@ -37,7 +37,7 @@ TEST_F(Measure, TakesOneTargetAlone) {
 TEST_F(Measure, SaysThatNoiseIsNoTargetAndEndsWithAStatus) {
   const Finished clear = sarsim({"measure", "sar_r.img"});
   EXPECT_THAT(clear.out, HasSubstr("24 of 24 targets found; position errors up to "));
-  EXPECT_THAT(clear.out, HasSubstr("theory in parentheses, signed numbers are measured minus expected"));
+  EXPECT_THAT(clear.out, HasSubstr("expected values in parentheses; signed values are measured minus expected"));
   EXPECT_THAT(clear.out, HasSubstr(": found; position error "));
   EXPECT_THAT(clear.out, HasSubstr(" m in azimuth, "));
   std::string script = text_of(SARSIM_SOURCE_DIR "/examples/sar_r.scr");

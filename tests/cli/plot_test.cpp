@@ -401,7 +401,7 @@ TEST_F(PlotTable, OfAPictureWhoseRowsHaveNoTimesGoesByTheirNumbers) {
   for (const char* kind : {"phase", "doppler"}) {
     const Finished done = sarsim({"plot", "ppi.h5", "--kind", kind, "--csv", "a.csv"});
     EXPECT_EQ(done.status, 2) << kind;
-    EXPECT_NE(done.err.find("does not say the times"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("lacks the times"), std::string::npos) << done.err;
   }
   EXPECT_EQ(sarsim({"plot", "ppi.h5", "--kind", "range", "--time", "0", "1", "--csv", "a.csv"}).status, 2);
   const Finished done = sarsim({"plot", "ppi.h5", "--kind", "range", "--csv", "b.csv"});
@@ -464,8 +464,8 @@ TEST_F(PlotArguments, ThatContradictEachOtherAreRefused) {
     EXPECT_EQ(done.status, 2) << text;
     EXPECT_NE(done.err.find(text), std::string::npos) << done.err;
   };
-  refused({"--screen", "--rate", "1e8"}, "--screen and --rate ask for different samples");
-  refused({"--kind", "pulse", "--screen", "--recorded"}, "--screen and --recorded ask for different samples");
+  refused({"--screen", "--rate", "1e8"}, "--screen and --rate request different samples");
+  refused({"--kind", "pulse", "--screen", "--recorded"}, "--screen and --recorded request different samples");
   refused({"--span", "40"}, "--span is a number of decibels");
   refused({"--kind", "pulse", "--show", "real", "--span", "40"}, "add --show db");
   refused({"--kind", "phase", "--span", "40"}, "--span means nothing for --kind phase");

@@ -196,7 +196,7 @@ TEST_F(RunCommand, TellsWhenSamplesWereClipped) {
   const Finished run = sarsim({"run", "scene.scr"});
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.err, HasSubstr("(as given)"));
-  EXPECT_THAT(run.err, HasSubstr("would hold them all"));
+  EXPECT_THAT(run.err, HasSubstr("would avoid clipping"));
 }
 
 TEST_F(RunCommand, DiscardComputesButWritesNothing) {
@@ -244,7 +244,7 @@ TEST_F(RunCommand, ScriptsThatDescribeNothingAreRefused) {
   write_text(folder_ / "scene.scr", "$OPTIONS SEED 2\n");
   const Finished run = sarsim({"run", "scene.scr"});
   EXPECT_EQ(run.status, 2);
-  EXPECT_THAT(run.err, HasSubstr("asks for nothing"));
+  EXPECT_THAT(run.err, HasSubstr("defines nothing to compute"));
 }
 
 TEST_F(RunCommand, AllMistakesAreShownAtOnceWithTheirPlaces) {

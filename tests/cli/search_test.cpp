@@ -192,7 +192,7 @@ TEST_F(Search, FindsBothTargetsInEachTurnWithinACell) {
     // 240 m/s towards the radar are seen as 40; a cell of 5 pulses is 20 m/s wide.
     EXPECT_NEAR(std::stod(row["speed_mps"]), ship ? 0.0 : -40.0, 4.0) << key.first;
   }
-  EXPECT_THAT(run.out, HasSubstr("move faster than the PRF tells apart"));
+  EXPECT_THAT(run.out, HasSubstr("exceed the unambiguous speed"));
   EXPECT_THAT(run.out, HasSubstr("\"intervals_found\""));
 }
 
@@ -202,7 +202,7 @@ TEST_F(Search, MeasuresRangesWhereTargetsAreWhenTheyAreFound) {
     const Finished run = sarsim(
         {"search", examples + "search_radar.scr", "--no-map", "--seed", seed, "--detections", "d.csv", "--force"});
     ASSERT_EQ(run.status, 0) << run.err;
-    const std::regex pattern("range ([+-][0-9.]+) m away");
+    const std::regex pattern("range error ([+-][0-9.]+) m");
     const std::string text = run.out + run.err;
     std::size_t errors = 0;
     for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i, ++errors)
@@ -264,7 +264,7 @@ TEST_F(Search, SaysBeforeItBeginsWhatWillSurprise) {
   EXPECT_THAT(cars.err, HasSubstr("target 3 moves near a blind speed of the canceller"));
   EXPECT_THAT(cars.err, HasSubstr("target 2"));
   const Finished turning = sarsim({"search", examples + "search_radar.scr", "--interval", "30", "--no-map"});
-  EXPECT_THAT(turning.err, HasSubstr("take intervals of at most 11 pulses"));
+  EXPECT_THAT(turning.err, HasSubstr("use intervals of at most 11 pulses"));
 }
 
 TEST_F(Search, KeepsFilesUnlessForced) {
@@ -292,7 +292,7 @@ TEST_F(Search, SaysWhatIsWrongWithItsArguments) {
   refused({"--cfar", "none", "--pfa", "0.1"}, "--pfa means nothing with --cfar none");
   refused({"--cfar", "none", "--train", "5", "--detections", "d.csv"}, "--detections means nothing with --cfar none");
   refused({"--no-map", "--pixel", "20"}, "--pixel is for the picture", true);
-  refused({"--interval", "300"}, "more pulses than there are");
+  refused({"--interval", "300"}, "more pulses than the recording");
   refused({"--frequencies", "8"}, "fewer Doppler frequencies");
   refused({"--canceller", "four"}, "none, two, three");
   refused({"--cfar", "none", "--no-map"}, "leaves nothing to do");
@@ -306,7 +306,7 @@ TEST_F(Search, SaysWhatIsWrongWithItsArguments) {
   refused({"--pixel", "0.01"}, "too large", true);
   refused({"--extent", "-5"}, "--extent", true);
   refused({"--scan", "3"}, "fewer turns are recorded", true);
-  refused({"--height", "50000"}, "the ground is farther away", true);
+  refused({"--height", "50000"}, "the ground is beyond the recorded ranges", true);
   EXPECT_EQ(sarsim({"doppler", "missing.h5"}).status, 2);
   const Finished profiles = sarsim({"doppler", examples + "stepped_srp.scr"});
   EXPECT_EQ(profiles.status, 2);

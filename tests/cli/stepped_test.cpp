@@ -268,7 +268,7 @@ TEST_F(Isar, SaysWhatIsWrongWithItsArguments) {
   refused({"--window", "hammond"}, "'hammond' is not a valid window");
   refused({"--platform", "Shop"}, "did you mean 'Ship'?");
   refused({"--platform", "Earth"}, "carries the radar itself");
-  refused({"--turn-rate", "0"}, "without turning");
+  refused({"--turn-rate", "0"}, "without rotation");
   refused({"--algorithm", "back-projection", "--motion", "estimated"}, "back-projection needs the path");
   refused({"--bursts", "5000"}, "bursts");
   refused({"--cross-range", "1e9"}, "cannot be made this large");

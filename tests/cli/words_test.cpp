@@ -165,8 +165,8 @@ TEST_F(Words, GeometryOfARecordingIsThatOfItsPulses) {
 
 TEST_F(Words, ProductsThatAreNotChosenAreNotLookedAt) {
   write_scene_with_an_impossible_second();
-  expect_refusal({"run", "scene.scr"}, "stands at the position of radar 'Radar2'");
-  expect_refusal({"run", "scene.scr", "2"}, "stands at the position of radar 'Radar2'");
+  expect_refusal({"run", "scene.scr"}, "is at the position of radar 'Radar2'");
+  expect_refusal({"run", "scene.scr", "2"}, "is at the position of radar 'Radar2'");
   const Finished first = sarsim({"run", "scene.scr", "1"});
   EXPECT_EQ(first.status, 0) << first.err;
   EXPECT_EQ(sarsim({"run", "scene.scr", "table.txt"}).status, 0);
@@ -199,7 +199,7 @@ TEST_F(Words, PulsesThatNoRecordingHasAreRefused) {
 TEST_F(Words, TablesWithoutAPulseAreRefused) {
   write_scene({});
   expect_refusal({"geometry", "scene.scr", "--radar", "Radar1", "--start", "0.0001", "--end", "0.0002"},
-                 "no pulse leaves within the azimuth window");
+                 "no pulse is sent within the azimuth window");
   EXPECT_EQ(sarsim({"geometry", "scene.scr", "--radar", "Radar1", "--start", "0.0001", "--end", "0.001"}).status, 0);
 }
 
@@ -396,7 +396,7 @@ TEST_F(Words, TablesOfTargetsNameAPlatformThatThereIs) {
   write_text(folder_ / "points.csv", "0,0,0,1\n");
   const Finished done = sarsim({"check", "scene.scr", "--targets", "Crane=points.csv"});
   EXPECT_EQ(done.status, 2);
-  EXPECT_THAT(done.err, HasSubstr("before '=' stands a platform: Earth"));
+  EXPECT_THAT(done.err, HasSubstr("the name before '=' is that of a platform: Earth"));
 }
 
 TEST_F(Words, OneOfAKindIsSingular) {
@@ -417,7 +417,7 @@ TEST_F(Words, AScriptWithoutASimulationIsNamed) {
   scene.files = {};
   write_scene(scene);
   for (const char* command : {"doppler", "search", "focus"})
-    expect_refusal({command, "scene.scr"}, "scene.scr: error: the scene says nothing of what is recorded");
+    expect_refusal({command, "scene.scr"}, "scene.scr: error: the scene defines no recording");
 }
 
 TEST_F(Words, ADiscardedRecordingHasNoSize) {

@@ -21,7 +21,7 @@ COMMANDS = (
     ("focus", "sar.scr", "--force", "--quiet"),
     ("verify", "--quick"),
 )
-FOR_EVER = "this may pass: try again later"
+FOR_EVER = "temporary failure: try again later"
 
 
 def limited(megabytes):

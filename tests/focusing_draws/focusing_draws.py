@@ -167,7 +167,7 @@ def is_right(found):
 
 
 # Warnings about something other than the focused point.
-OTHER = re.compile("the azimuth beamwidth|the elevation beamwidth|left and right|ambigu|beam holds|echo of|in flight")
+OTHER = re.compile("the azimuth beamwidth|the elevation beamwidth|left and right|ambigu|beam's Doppler bandwidth|beam has a Doppler band|echo of|in flight")
 
 
 def warnings_of(report):

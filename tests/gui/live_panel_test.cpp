@@ -139,7 +139,7 @@ class LivePanelTest : public QObject {
     bench.panel->compare(Compare::blink);
     const picture::Figure now = bench.panel->plot().figure();
     QVERIFY(QTest::qWaitFor([&] { return bench.panel->plot().figure() != now; }, patience_ms));
-    QVERIFY(bench.part<QLabel>("live_state").text().startsWith("Before"));
+    QVERIFY(bench.part<QLabel>("live_state").text().startsWith("Pinned"));
     bench.panel->compare(Compare::off);
     QVERIFY(bench.panel->plot().figure() == now);
   }

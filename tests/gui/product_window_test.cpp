@@ -155,7 +155,7 @@ class ProductWindowTest : public QObject {
     QTest::newRow("profiles") << "stepped_srp.scr"
                               << "profiles";
     QTest::newRow("turning") << "turning_ship.scr"
-                             << "turning";
+                             << "ISAR";
     QTest::newRow("maps") << "mti.scr"
                           << "Doppler";
     QTest::newRow("search") << "search_radar.scr"
@@ -219,7 +219,7 @@ class ProductWindowTest : public QObject {
   void no_words_change_the_size_of_the_window() {
     Bench bench("turning_ship.scr");
     const QSize size = bench.window->size();
-    bench.choose("products_kind", "turning target");
+    bench.choose("products_kind", "ISAR");
     QVERIFY(bench.make());
     QCOMPARE(bench.window->size(), size);
     QVERIFY(bench.window->minimumSizeHint().width() < 1000);
@@ -335,7 +335,7 @@ class ProductWindowTest : public QObject {
 
   void opens_every_image_of_a_series() {
     Bench bench("turning_ship.scr");
-    bench.choose("products_kind", "turning");
+    bench.choose("products_kind", "ISAR");
     bench.type_more("--bursts 32 --step 32");
     QVERIFY2(bench.make(), qPrintable(bench.problems()));
     const int images = bench.result("Images").toInt();

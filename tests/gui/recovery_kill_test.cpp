@@ -205,8 +205,7 @@ class RecoveryKillTest : public QObject {
     QVERIFY2(answers.questions[0].startsWith("Recovery: ") && answers.questions[0].contains(file("a.scr")),
              qPrintable(answers.questions[0]));
     // Finding B20: each button says what becomes of the copy.
-    for (const char* words : {"Take Them Up", "Delete the Copy", "Keep It for Later"})
-      QVERIFY2(answers.buttons.contains(words), words);
+    for (const char* words : {"Restore", "Discard", "Ask Next Time"}) QVERIFY2(answers.buttons.contains(words), words);
     QCOMPARE(window.session().scene().targets.at(0).position_m.x, 1234.5);
     QVERIFY(window.session().document().text().find("! precious comment\n") == 0);
     QVERIFY(window.isWindowModified());

@@ -81,13 +81,13 @@ class TypedPanelTest : public QObject {
   void what_the_text_does_not_say_is_grey() {
     const Bench bench;
     QVERIFY(is_grey(bench.field("rcs_m2"), QPalette::Text));
-    QVERIFY(bench.field("rcs_m2")->toolTip().contains("default"));
+    QVERIFY(bench.field("rcs_m2")->toolTip().contains("Default"));
     QVERIFY(is_grey(bench.field<QComboBox>("platform"), QPalette::ButtonText));
     QVERIFY(!is_grey(bench.field("position_m.y"), QPalette::Text));
-    QVERIFY(!bench.field("position_m.y")->toolTip().contains("default"));
+    QVERIFY(!bench.field("position_m.y")->toolTip().contains("Default"));
     bench.type("rcs_m2", "3 m2");
     QVERIFY(!is_grey(bench.field("rcs_m2"), QPalette::Text));
-    QVERIFY(!bench.field("rcs_m2")->toolTip().contains("default"));
+    QVERIFY(!bench.field("rcs_m2")->toolTip().contains("Default"));
   }
 
   void grey_follows_the_theme() {

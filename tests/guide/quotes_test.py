@@ -169,7 +169,7 @@ WINDOWS = {
     "objects": "Objects",
     "properties": "Properties",
     "script": "Script File",
-    "simulations": "Previously Stored",
+    "simulations": "Recordings",
     "log": "Log",
     "image": "[the live image](workbench.md#the-live-image)",
     "geometry": "Geometry",

@@ -75,7 +75,7 @@ TEST_F(Resume, GoesOnAfterADiskThatWasFull) {
   start.largest_file_bytes = 1000000;
   const Finished full = Program({"run", "scene.scr", "--out", "out", "--resume", "--save-every", "0"}, start).finish();
   EXPECT_EQ(full.status, 1);
-  EXPECT_THAT(full.err, HasSubstr("go on with --resume"));
+  EXPECT_THAT(full.err, HasSubstr("continue with --resume"));
   const Finished again = run({"--out", "out", "--resume", "--json"});
   ASSERT_EQ(again.status, 0) << again.err;
   EXPECT_LT(member(again.out, "computed_rows"), 2000);
@@ -112,7 +112,7 @@ TEST_F(Resume, ComputesAgainWhatTheDiskHasLost) {
   write_text(folder_ / "out/sim.bin.parts/samples", rows);
   const Finished again = run({"--out", "out", "--part", "1/2", "--resume", "--json"});
   ASSERT_EQ(again.status, 0) << again.err;
-  EXPECT_THAT(again.err, HasSubstr("are not as the journal says"));
+  EXPECT_THAT(again.err, HasSubstr("do not match the journal"));
   EXPECT_GT(member(again.out, "rejected_rows"), 0);
   EXPECT_EQ(member(again.out, "rejected_rows"), member(again.out, "computed_rows"));
   ASSERT_EQ(run({"--out", "out", "--part", "2/2"}).status, 0);

@@ -196,7 +196,7 @@ TEST_F(SweepResume, ControlCLeavesFinishedVariationsForTheNextTime) {
   program.send(SIGINT);
   const Finished end = program.finish();
   EXPECT_EQ(end.status, 130) << end.err;
-  EXPECT_THAT(end.err, HasSubstr("go on with --resume"));
+  EXPECT_THAT(end.err, HasSubstr("continue with --resume"));
   std::size_t whole = 0;
   for (const std::string& name : entries("o")) {
     EXPECT_NE(name.front(), '.') << name;

@@ -248,7 +248,8 @@ TEST_F(SweepCommand, SaysWhatABadScriptSays) {
   EXPECT_EQ(sweep.status, 2);
   EXPECT_THAT(sweep.err, HasSubstr("scene.scr:"));
   write_text(folder_ / "scene.scr", "$TARGET Earth 0 0 0 0 0 0 1 0 ISOTROPIC\n");
-  EXPECT_THAT(sarsim({"sweep", "scene.scr", "--set", "seed=1..3"}).err, HasSubstr("asks for nothing that could vary"));
+  EXPECT_THAT(sarsim({"sweep", "scene.scr", "--set", "seed=1..3"}).err,
+              HasSubstr("defines no recording or geometry table to vary"));
 }
 
 TEST_F(SweepCommand, RefusesExistingFilesOnceForAll) {
@@ -298,7 +299,7 @@ TEST_F(SweepCommand, MakesTheOtherVariationsWhereOneMeetsAnImpossibleEcho) {
   write_text(folder_ / "scene.scr", text);
   const Finished sweep = sarsim({"sweep", "scene.scr", "--set", "Target1.x=0,1,2", "--json"});
   EXPECT_EQ(sweep.status, 2);
-  EXPECT_THAT(sweep.err, HasSubstr("error: Target1.x=0: the target stands at the position of radar"));
+  EXPECT_THAT(sweep.err, HasSubstr("error: Target1.x=0: the target is at the position of radar"));
   EXPECT_THAT(sweep.err, HasSubstr("pulse 777"));
   EXPECT_THAT(sweep.out, HasSubstr("\"status\": \"failed\""));
   const auto rows = read_csv(text_of(folder_ / "sweep.csv"));

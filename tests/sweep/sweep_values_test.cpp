@@ -90,7 +90,7 @@ TEST_F(SweepValuesCommand, WhatIsWrongWithAValueOfATableHasItsLine) {
   refused("# none\nSimulation1.bits\n1\n99\n", "cases.csv:4: error: Simulation1.bits=99: '99' is outside");
   refused("Simulation1.processing\nRAW\n\nFOO\n", "cases.csv:4: error: Simulation1.processing=FOO: 'FOO' is none of");
   refused("Simulation1.range_end [m]\n1400\n800\n", "cases.csv:3: error: the slant range window is empty");
-  refused("seed\n1\n2\n1\n", "it stands in line 2, too");
+  refused("seed\n1\n2\n1\n", "it is on line 2, too");
   refused("seed,Seed\n1,1\n", "cases.csv:1: error: Seed: this field is set by seed already");
   refused("seed,Target1.x\n1,1\n2,1\n1,1\n", "cases.csv:4: error: variations 1 and 3 have the same values", {"--zip"});
   refused("Radar1.bandwidth\n1\n", "cases.csv:2: warning: Radar1.bandwidth=1: a number without a unit", {"--strict"});

@@ -30,7 +30,7 @@ TEST_F(VerifyCommand, FindsThatEverythingHoldsHere) {
 TEST_F(VerifyCommand, SaysOnlyTheCountWhereNothingIsWrongAndNothingElseIsWanted) {
   const Finished verify = sarsim({"verify", "--quick", "--quiet"});
   EXPECT_EQ(verify.status, 0);
-  EXPECT_THAT(verify.out, testing::MatchesRegex("[0-9]+ of [0-9]+ statements hold\n"));
+  EXPECT_THAT(verify.out, testing::MatchesRegex("[0-9]+ of [0-9]+ comparisons agree\n"));
 }
 
 TEST_F(VerifyCommand, SaysTheSameAsJson) {
@@ -63,7 +63,7 @@ TEST_F(VerifyCommand, OpensItsPageBeforeItMeasures) {
 TEST_F(VerifyCommand, MakesAPageThatNeedsNothingElse) {
   ASSERT_EQ(sarsim({"verify", "--quick", "--html", "v.html"}).status, 0);
   const std::string page = text_of(folder_ / "v.html");
-  EXPECT_THAT(page, HasSubstr("statements hold"));
+  EXPECT_THAT(page, HasSubstr("comparisons agree"));
   for (const char* outside : {"src=", "href=", "@import", "url("}) EXPECT_THAT(page, Not(HasSubstr(outside)));
   // Each chart is well-formed XML.
   write_text(folder_ / "charts.py",

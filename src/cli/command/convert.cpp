@@ -45,7 +45,7 @@ ExitStatus export_recording(const ConvertArguments& arguments, Streams& streams)
   if (samples.to || samples.counts || samples.header || samples.sample.format || samples.sample.columns ||
       samples.sample.bits || samples.sample.lsb_v)
     throw core::InvalidRequest(
-        fmt::format("'{}' is made of a recording with its scene: only --script and --simulation say something of it",
+        fmt::format("'{}' is made from a recording and its scene: only --script and --simulation apply",
                     samples.output),
         "leave out --to, --counts, --header, --from, --columns, --bits and --lsb");
   workflow::ExportRequest request = arguments.exchange;
@@ -64,7 +64,7 @@ void expect_one_output(const ConvertArguments& arguments) {
   const workflow::ConvertRequest& request = arguments.samples;
   if (arguments.references.empty()) {
     if (request.output.empty())
-      throw core::InvalidRequest("OUT is missing: nothing says what is to be written",
+      throw core::InvalidRequest("OUT is missing: no output file is given",
                                  "name the new file, or references to this one with --references");
     return;
   }
@@ -73,8 +73,8 @@ void expect_one_output(const ConvertArguments& arguments) {
         fmt::format("--references writes no samples, but '{}' was to be written", request.output),
         "leave it out; references to a new file are made when it is there");
   if (request.to || request.counts || request.header)
-    throw core::InvalidRequest(
-        "--references leaves the samples as they are: --to, --counts and --header change nothing", "leave them out");
+    throw core::InvalidRequest("--references leaves the samples unchanged: --to, --counts and --header have no effect",
+                               "leave them out");
   if (workflow::holds_script(request.input))
     throw core::InvalidRequest(fmt::format("--references: '{}' is a scene, not a file of samples", request.input),
                                "name the file that the scene wrote, in HDF5 or NPY");
@@ -123,18 +123,17 @@ Action add_convert(CLI::App& app) {
               "which simulation of the script wrote the file (default: the one that names it)");
   add_table_options(app, workflow::convert_option_table(), *request);
   add_text(app, "--anchor", arguments->anchor, "LAT,LON,HEIGHT[,HEADING]",
-           "of SICD, CPHD and CRSD, for a flat scene: its origin on the Earth, in degrees and m over the ellipsoid, "
-           "and the direction of "
-           "+y from north");
+           "SICD, CPHD and CRSD of a flat scene: where its origin is on the Earth (degrees, m above the ellipsoid), "
+           "and the heading of +y");
   add_text(app, "--references", arguments->references, "JSON",
-           "instead of OUT: where the arrays of IN stand in it, as JSON for readers of Zarr (fsspec, xarray)");
+           "instead of OUT: byte offsets of the arrays of IN, as JSON for Zarr readers (fsspec, xarray)");
   add_table_options(app, workflow::exchange_option_table(), arguments->exchange);
   add_examples(app,
                {{"sarsim convert sim1.h5 sim1.csv", "volts to counts, with the bits and LSB of the file"},
                 {"sarsim convert sim1.bin sim1.npy --script scene.scr", "shape, bits and LSB from the script"},
                 {"sarsim convert sim1.asc sim1.h5 --lsb 1e-9", "counts to volts"},
                 {"sarsim convert sim1.h5 sim1.zarr", "a folder of files, for object stores and xarray"},
-                {"sarsim convert sim1.h5 sim1.sigmf-meta", "for programs of radio"},
+                {"sarsim convert sim1.h5 sim1.sigmf-meta", "for software-radio programs"},
                 {"sarsim convert sim1.h5 --references sim1.json", "to open the same bytes as Zarr"},
                 {"sarsim convert sar_r.img copy.npy", "an image, with its header copy.hdr"},
                 {"sarsim convert sar_r.img sar_r.nitf --anchor -33.9,18.4,120", "an image as SICD"},

@@ -39,9 +39,9 @@ ExitStatus run_doppler(const RequestArguments& arguments, Streams& streams) {
 Action add_doppler(CLI::App& app) {
   auto arguments = std::make_shared<RequestArguments>();
   add_request_arguments(app, workflow::doppler_option_table().options(), *arguments);
-  add_examples(app, {{"sarsim doppler mti.toml --canceller two", "what moves: mti-doppler.img and its detections"},
+  add_examples(app, {{"sarsim doppler mti.toml --canceller two", "moving targets: mti-doppler.img and its detections"},
                      {"sarsim doppler sim1.h5 --interval 128 --step 64 --window hamming", "overlapping intervals"},
-                     {"sarsim doppler sim1.bin --script scene.toml --out maps.npy", "a file that carries no script"},
+                     {"sarsim doppler sim1.bin --script scene.toml --out maps.npy", "a file without its script"},
                      {"sarsim doppler mti.toml --cfar os --train 12:2 --pfa 1e-5", "another detector"}});
   return [arguments](Streams& streams) { return run_doppler(*arguments, streams); };
 }

@@ -31,13 +31,13 @@ std::string finding_text(const workflow::TargetFinding& finding, bool doppler) {
   }
   text += fmt::format(", cell {} x {}, SNR {}", sight.row, sight.column, decibel_text(sight.snr));
   if (finding.probability)
-    text += fmt::format(", Pd at best {:.3g}; found in {}, expected in {}", *finding.probability,
+    text += fmt::format(", best Pd {:.3g}; found in {}, expected in {}", *finding.probability,
                         counted(finding.found, "interval"), finding.expected);
   else
     text += fmt::format("; found in {}", counted(finding.found, "interval"));
   if (!finding.best) return text + "\n";
   const workflow::SearchDetection& best = *finding.best;
-  text += fmt::format("\n  strongest   azimuth {:.2f} deg, range {:+.2f} m away",
+  text += fmt::format("\n  strongest detection: azimuth {:.2f} deg, range error {:+.2f} m",
                       workflow::bearing_deg(best.azimuth_rad), finding.best_range_error_m);
   if (doppler)
     text += fmt::format(", Doppler {} Hz ({} m/s)", decimals(best.doppler_hz, 1), decimals(best.speed_mps, 3));
@@ -59,7 +59,7 @@ std::string summary_text(const workflow::PulseReport& report, const std::string&
       fmt::format("{}: {} of {}, {}{}\n", report.files.front().string(), counted(report.intervals, "interval"),
                   counted(report.options.pulses, "pulse"), image, core::duration_text(report.seconds));
   if (report.options.detect)
-    text += fmt::format("{}: {}; noise alone would put {:.3g} cells above their thresholds\n", report.table.string(),
+    text += fmt::format("{}: {}; expected false alarms: {:.3g}\n", report.table.string(),
                         counted(report.detections, "detection"), report.expected_false_alarms);
   return text + findings_text(report.findings, report.doppler());
 }

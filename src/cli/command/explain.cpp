@@ -62,7 +62,7 @@ ExitStatus explain(const ExplainArguments& arguments, Streams& streams) {
 Action add_explain(CLI::App& app) {
   auto arguments = std::make_shared<ExplainArguments>();
   auto* field = app.add_option("field", arguments->field,
-                               "a field, a choice, a kind of object, or any word of the trade; without, what there is");
+                               "a field, a choice, a kind of object, or any radar term; without it, an overview");
   field->type_name("WORD")->expected(0, -1);
   auto* schema = app.add_flag("--schema", arguments->schema, "the JSON Schema of the language, for editors");
   auto* reference = app.add_flag("--reference", arguments->reference, "the reference of the language, in Markdown");
@@ -71,13 +71,13 @@ Action add_explain(CLI::App& app) {
   app.add_flag("--force", arguments->force, "replace the file where it exists");
   schema->excludes(field)->excludes(reference)->excludes(json);
   reference->excludes(field)->excludes(json);
-  add_examples(app, {{"sarsim explain", "what can stand in a scene of format 2"},
+  add_examples(app, {{"sarsim explain", "what a scene of format 2 can contain"},
                      {"sarsim explain radar", "the fields of a kind of object"},
                      {"sarsim explain radar.pulse", "a choice with its alternatives"},
                      {"sarsim explain radar.pulse.width", "one field: unit, range, default, example"},
-                     {"sarsim explain prf", "a field by the name that --set has for it"},
-                     {"sarsim explain wavelength", "what says it here, and how it is converted"},
-                     {"sarsim explain range migration", "fields and pages that have to do with it"},
+                     {"sarsim explain prf", "a field by its name in --set"},
+                     {"sarsim explain wavelength", "which field sets it, and how it is converted"},
+                     {"sarsim explain range migration", "related fields and pages"},
                      {"sarsim explain --schema -o sarsim-2.schema.json", "for an editor that completes and checks"}});
   return [arguments](Streams& streams) { return explain(*arguments, streams); };
 }

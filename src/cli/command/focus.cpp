@@ -32,15 +32,14 @@ std::string text_of_image(const std::string& output, const workflow::FocusReport
 
 std::string text_of_autofocus(const workflow::AutofocusFinding& found) {
   std::string text = fmt::format(
-      "  autofocus {} {:.3g} rad rms, in pieces of {:.4g} m: entropy {:.3f} before, {:.3f} after; contrast {:.3g} "
-      "before, "
-      "{:.3g} after",
-      found.applied ? "took out" : "would take out", found.rms_rad, found.piece_m, found.entropy_before,
+      "  autofocus {} {:.3g} rad rms (sub-apertures of {:.4g} m): entropy {:.3f} before, {:.3f} after; contrast {:.3g} "
+      "before, {:.3g} after",
+      found.applied ? "removed" : "would remove", found.rms_rad, found.piece_m, found.entropy_before,
       found.entropy_after, found.contrast_before, found.contrast_after);
   if (found.points > 0)
     text += fmt::format("; SNR of {} {:.1f} dB before, {:.1f} dB after", counted(found.points, "point"),
                         found.point_snr_before_db, found.point_snr_after_db);
-  return text + (found.applied ? "\n" : "; it failed, and the image is left as it was\n");
+  return text + (found.applied ? "\n" : "; it failed, and the image is unchanged\n");
 }
 
 ExitStatus run_focus(const RequestArguments& arguments, Streams& streams) {
@@ -51,8 +50,10 @@ ExitStatus run_focus(const RequestArguments& arguments, Streams& streams) {
   if (!arguments.quiet) {
     write_err(streams, text_of_image(request.output.string(), report));
     if (report.motion != workflow::MotionOrder::none)
-      write_err(streams, fmt::format("  motion compensation of {} order: the antenna strays by up to {:.3g} m\n",
-                                     to_string(report.motion), report.strays_m));
+      write_err(
+          streams,
+          fmt::format("  motion compensation of {} order: the track deviates from the fitted line by up to {:.3g} m\n",
+                      to_string(report.motion), report.strays_m));
     if (report.autofocus) write_err(streams, text_of_autofocus(*report.autofocus));
   }
   if (!arguments.json) return exit_done;
@@ -69,8 +70,8 @@ Action add_focus(CLI::App& app) {
                         "scene to simulate and focus, or file of samples");
   add_examples(app, {{"sarsim focus sar_r.toml", "simulate and focus: sar_r.img with its header sar_r.hdr"},
                      {"sarsim focus sim1.h5 --window taylor:35:5", "a recording, with lower sidelobes"},
-                     {"sarsim focus sim1.bin --script scene.toml --out image.npy", "a file that carries no script"},
-                     {"sarsim focus flight.h5 --autofocus --autofocus-phase phase.csv", "with phase errors taken out"},
+                     {"sarsim focus sim1.bin --script scene.toml --out image.npy", "a file without its script"},
+                     {"sarsim focus flight.h5 --autofocus --autofocus-phase phase.csv", "with phase errors removed"},
                      {"sarsim focus sar_r.toml --algorithm back-projection --grid ground", "onto level ground"},
                      {"sarsim focus big.h5 --memory 500M --scratch /data", "in less memory than the image"}});
   return [arguments](Streams& streams) { return run_focus(*arguments, streams); };

@@ -43,7 +43,7 @@ ExitStatus format_scene(const FormatArguments& arguments, Streams& streams) {
   print_problems(streams, input.problems);
   const bool format_2 = arguments.upgrade || input.language == scene::Language::format_2;
   if (arguments.all && !format_2)
-    throw core::InvalidRequest("--all is for format 2: a script of the language of 1998 says everything",
+    throw core::InvalidRequest("--all is for format 2: a script in the language of 1998 always contains every field",
                                "add --upgrade, which writes format 2");
   const std::string text =
       workflow::scene_text(input, format_2 ? scene::Language::format_2 : scene::Language::script, arguments.all);

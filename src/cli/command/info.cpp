@@ -78,7 +78,7 @@ ExitStatus print_info(const InfoArguments& arguments, Streams& streams) {
   const bool script = workflow::holds_script(arguments.path);
   if (arguments.plan && !script)
     throw core::InvalidRequest("info: '" + arguments.path + "' is not a script; only scripts can be planned",
-                               "leave --plan out to see what the file holds");
+                               "leave out --plan to see what the file contains");
   expect_used(arguments, script);
   if (arguments.plan) {
     return print_plan(
@@ -109,8 +109,8 @@ Action add_info(CLI::App& app) {
                      {"sarsim info sar_r.toml --plan --workers 8", "what a run will take, and on eight machines"},
                      {"sarsim info sim1.h5", "shape, axes and attributes of a file of samples"},
                      {"sarsim info sim1.h5 --statistics", "also its largest samples, rms and share of zeros"},
-                     {"sarsim info sim1.bin --columns 256 --bits 8", "of one that does not describe itself"},
-                     {"sarsim info sim1.bin --script sar_r.toml", "or with what its script says"}});
+                     {"sarsim info sim1.bin --columns 256 --bits 8", "a file without a header"},
+                     {"sarsim info sim1.bin --script sar_r.toml", "or described by its script"}});
   return [arguments](Streams& streams) { return print_info(*arguments, streams); };
 }
 

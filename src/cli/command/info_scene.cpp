@@ -89,14 +89,14 @@ std::vector<Figure> figures_of(const simulate::Plan& plan, const simulate::Simul
   f.push_back(si_figure("column spacing", "column_spacing_m", s.column_spacing_m, "m"));
   f.push_back(figure("sampling/bandwidth", "sampling_ratio", s.sampling_ratio));
   f.push_back(
-      figure("noise power of a sample", "noise_power_w", s.noise_power_w, fmt::format("{:.4g} W", s.noise_power_w)));
-  f.push_back(figure("motion left in a pulse", "pulse_motion_rad", s.pulse_motion_rad,
+      figure("noise power per sample", "noise_power_w", s.noise_power_w, fmt::format("{:.4g} W", s.noise_power_w)));
+  f.push_back(figure("intra-pulse phase error", "pulse_motion_rad", s.pulse_motion_rad,
                      fmt::format("{:.2g} rad", s.pulse_motion_rad)));
   f.push_back(figure("Doppler band", "lowest_doppler_hz", survey.lowest_doppler_hz,
                      between(survey.lowest_doppler_hz, survey.highest_doppler_hz, "Hz")));
   f.push_back({"", "", "highest_doppler_hz", survey.highest_doppler_hz, {}});
   f.push_back(figure("strongest echo", "largest_echo_v", s.largest_echo_v, volts(s.largest_echo_v)));
-  f.push_back(figure("largest magnitude below", "largest_sum_v", s.largest_sum_v, volts(s.largest_sum_v)));
+  f.push_back(figure("magnitude bound", "largest_sum_v", s.largest_sum_v, volts(s.largest_sum_v)));
   f.push_back(figure("LSB without clipping", "suggested_lsb_v", s.suggested_lsb_v,
                      fmt::format("{:.4g} mV", 1e3 * s.suggested_lsb_v)));
   return f;

@@ -115,12 +115,12 @@ std::string summary_text(const workflow::MeasureReport& report) {
         sum.farthest_m, sum.lowest_amplitude_db, sum.highest_amplitude_db, sum.lowest_phase_rad, sum.highest_phase_rad);
   if (sum.found > 0 && std::isfinite(sum.highest_snr_db))
     text += fmt::format("; SNR {:.1f} to {:.1f} dB", sum.lowest_snr_db, sum.highest_snr_db);
-  return text + fmt::format("; detected with false-alarm probability {:g}\n", report.false_alarm);
+  return text + fmt::format("; detection threshold set for a false-alarm probability of {:g}\n", report.false_alarm);
 }
 
 std::string text_of_measure(const std::string& image, const workflow::MeasureReport& report) {
   std::string text = fmt::format(
-      "{}: {} by {}; theory in parentheses, signed numbers are measured minus expected\n  {:<8}{:>18}  {:>18}  "
+      "{}: {} by {}; expected values in parentheses; signed values are measured minus expected\n  {:<8}{:>18}  {:>18}  "
       "{:>18}\n",
       image, counted(report.targets.size(), "target"), report.origin.algorithm, "", "-3 dB width (m)", "PSLR (dB)",
       "ISLR (dB)");
@@ -164,9 +164,9 @@ Action add_measure(CLI::App& app) {
   add_text(app, "image", arguments->image, "IMAGE", "complex image that sarsim focus wrote as ENVI or NPY")->required();
   add_table_options(app, workflow::measure_option_table(), arguments->request);
   add_text(app, "--cuts", arguments->cuts, "DIR", "draw the cuts through each target: DIR/target-1.png and so on");
-  app.add_flag("--dark", arguments->dark, "the pictures in dark colours");
-  app.add_flag("--force", arguments->request.force, "replace pictures that exist");
-  CLI::Option* const csv = app.add_flag("--csv", arguments->csv, "a table with commas, a line for each target");
+  app.add_flag("--dark", arguments->dark, "plots in dark colours");
+  app.add_flag("--force", arguments->request.force, "replace existing plots");
+  CLI::Option* const csv = app.add_flag("--csv", arguments->csv, "a CSV table, one line per target");
   app.add_flag("--json", arguments->json, "as JSON")->excludes(csv);
   add_examples(app, {{"sarsim measure sar_r.img", "the targets of the script that was focused"},
                      {"sarsim measure sar_r.npy --json", "for programs"},

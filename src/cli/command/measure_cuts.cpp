@@ -43,9 +43,9 @@ picture::FigurePanel panel_of(const char* name, const signal::ResponseCut& cut, 
   panel.y = {.label = "Power", .unit = "dB", .first = lowest_db, .last = 3.0, .twin = {}};
   panel.curves.push_back(measured_curve(cut, reach_m));
   if (theory) {
-    panel.curves.push_back(level(fmt::format("width by theory, {:.3f} m", theory->width), picture::Role::curve_2,
+    panel.curves.push_back(level(fmt::format("expected width, {:.3f} m", theory->width), picture::Role::curve_2,
                                  half_power_db, 0.5 * theory->width));
-    panel.curves.push_back(level(fmt::format("PSLR by theory, {:.2f} dB", theory->pslr_db), picture::Role::curve_3,
+    panel.curves.push_back(level(fmt::format("expected PSLR, {:.2f} dB", theory->pslr_db), picture::Role::curve_3,
                                  theory->pslr_db, reach_m));
   }
   return panel;

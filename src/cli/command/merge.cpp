@@ -57,13 +57,14 @@ ExitStatus run_merge(const MergeArguments& arguments, Streams& streams) {
 
 Action add_merge(CLI::App& app) {
   auto arguments = std::make_shared<MergeArguments>();
-  app.add_option("folders", arguments->request.folders, "folders with the parts of one recording (NAME.parts)")
+  app.add_option("folders", arguments->request.folders, "folders containing the parts of one recording (NAME.parts)")
       ->required()
       ->type_name("FOLDER");
-  add_text(app, "-o,--out,--output", arguments->output, "FILE", "file to make (default: NAME beside the first folder)");
+  add_text(app, "-o,--out,--output", arguments->output, "FILE",
+           "file to write (default: NAME beside the first folder)");
   add_integer(app, "--threads", arguments->threads, 0, 4096, "threads; 0 for one per core (default)");
   app.add_flag("--force", arguments->request.force, "replace the output where it exists");
-  app.add_flag("--remove", arguments->request.remove, "remove the parts once they are joined");
+  app.add_flag("--remove", arguments->request.remove, "remove the parts once they are merged");
   app.add_flag("--json", arguments->json, "a report as JSON on standard output");
   app.add_flag("--quiet", arguments->quiet, "only errors on standard error");
   add_examples(app, {{"sarsim merge out/sim.bin.parts", "parts that were copied into one folder become out/sim.bin"},

@@ -74,7 +74,7 @@ Action add_motion(CLI::App& app) {
   add_real(app, "--end", motion->end_s, "S", "last time");
   add_real(app, "--spacing", motion->spacing_s, "S", "time between states (default: as --error needs)");
   add_real(app, "--error", arguments->error_m, "M", "largest error of the interpolation (default: 1e-6)");
-  app.add_flag("--navigation", motion->navigation, "what the platform's navigation believes, with its errors");
+  app.add_flag("--navigation", motion->navigation, "the platform's navigation solution, including its errors");
   add_real(app, "--walker", arguments->walker_mps, "M/S",
            "write a person who walks at that speed as 17 platforms of a scene");
   add_real(app, "--height", arguments->height_m, "M", "of the walker (default: 1.8)");
@@ -85,7 +85,7 @@ Action add_motion(CLI::App& app) {
   add_examples(app,
                {{"sarsim motion scene.toml --platform Aircraft --out track.csv", "states, with the error between them"},
                 {"sarsim motion scene.toml --platform Aircraft --navigation --out nav.csv",
-                 "what the navigation believes, for focus --navigation nav.csv"},
+                 "the navigation solution, for focus --navigation nav.csv"},
                 {"sarsim motion sat.toml --start -60 --end 60 --out sat.oem", "a CCSDS ephemeris message"},
                 {"sarsim motion --walker 1.4 --end 10 --out walker.toml", "a person, to be included by a scene"}});
   return [arguments](Streams& streams) { return run_motion(*arguments, streams); };

@@ -61,7 +61,7 @@ const scene::StartingScene& chosen(const std::string& purpose) {
   }
   const std::string part = purpose_with_part(words, purpose);
   const std::string nearest = part.empty() ? core::nearest_word(purpose, words) : part;
-  throw core::InvalidRequest(fmt::format("there is no scene to begin with for '{}'", purpose),
+  throw core::InvalidRequest(fmt::format("there is no example scene for '{}'", purpose),
                              nearest.empty() ? fmt::format("choose one of {}", fmt::join(words, ", "))
                                              : fmt::format("did you mean '{}'?", nearest));
 }
@@ -113,7 +113,7 @@ Action add_new(CLI::App& app) {
   std::string words;
   for (const scene::StartingScene& scene : scene::starting_scenes())
     words += fmt::format("{}{}", words.empty() ? "" : "|", scene.purpose);
-  add_text(app, "purpose", arguments->purpose, words, "what it is to begin with; without, a list of them");
+  add_text(app, "purpose", arguments->purpose, words, "which example; without it, a list of them");
   add_text(app, "-o,--out", arguments->output, "FILE", "scene to write (default: the name of the example)");
   add_choice<scene::Language>(app, "--language", arguments->language,
                               {{"toml", scene::Language::format_2}, {"scr", scene::Language::script}},

@@ -27,7 +27,7 @@ void add_part_options(CLI::App& app, workflow::PartChoice& choice) {
       [&choice](const std::string& text) {
         take("--part", text, workflow::share_from(text), choice.share, "a part such as 3/8: the third of eight");
       },
-      "only this share of the pulses of each recording, such as 3/8; all shares together make the file of a single "
+      "only this share of the pulses of each recording, such as 3/8; all shares together give the file of a single "
       "run");
   part->type_name("K/N");
   auto* pulses = app.add_option_function<std::string>(
@@ -40,7 +40,7 @@ void add_part_options(CLI::App& app, workflow::PartChoice& choice) {
   pulses->type_name("A:B");
   part->excludes(pulses);
   app.add_flag("--part-file", choice.own_file, "keep the share in a file of its own, for sarsim merge");
-  app.add_flag("--resume", choice.resume, "keep a journal, and go on where an earlier run of it ended");
+  app.add_flag("--resume", choice.resume, "keep a journal, and continue an interrupted run");
   const auto read = [&choice](const std::string& text) {
     choice.save_every_s = core::parse_number(text);
     if (!choice.save_every_s || *choice.save_every_s < 0.0 || *choice.save_every_s > 86400.0)

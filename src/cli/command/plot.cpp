@@ -60,7 +60,7 @@ workflow::InputList files_read(const PlotArguments& a) {
 
 void expect_names(const PlotArguments& a) {
   if (a.out.empty() && a.csv.empty())
-    throw core::InvalidRequest("nothing is to be written", "name a picture with -o, or a table with --csv");
+    throw core::InvalidRequest("no output is given", "name a picture with -o, or a table with --csv");
   if (!a.out.empty() && !picture::picture_kind_of(a.out))
     throw core::InvalidRequest("'" + a.out + "' does not say which kind of picture",
                                fmt::format("end it with {}", picture::picture_endings));
@@ -191,7 +191,7 @@ picture::DisplayQuantity shown_quantity(const PlotArguments& a) {
 void expect_no_contradiction(const PlotArguments& a) {
   if (a.screen && (a.recorded || a.rate_hz))
     throw core::InvalidRequest(
-        fmt::format("--screen and {} ask for different samples", a.recorded ? "--recorded" : "--rate"),
+        fmt::format("--screen and {} request different samples", a.recorded ? "--recorded" : "--rate"),
         "leave one of them out");
   if (a.span_db && shown_quantity(a) != picture::DisplayQuantity::decibels)
     throw core::InvalidRequest("--span is a number of decibels, which are not shown", "add --show db, or leave it out");
@@ -291,13 +291,14 @@ void add_choice_of_samples(CLI::App& app, PlotArguments& a) {
                                  {"compressed", scene::Processing::matched_filter},
                                  {"srp", scene::Processing::srp}},
                                 "raw return or range compressed");
-  add_two_reals(app, "--range", a.range_m, "FROM TO", "slant ranges that are seen, m");
-  add_two_reals(app, "--time", a.time_s, "FROM TO", "azimuth times that are seen, s");
-  add_two_reals(app, "--azimuth", a.azimuth_m, "FROM TO", "of a focused image, what is seen along the track, m");
+  add_two_reals(app, "--range", a.range_m, "FROM TO", "slant range limits, m");
+  add_two_reals(app, "--time", a.time_s, "FROM TO", "azimuth time limits, s");
+  add_two_reals(app, "--azimuth", a.azimuth_m, "FROM TO", "focused image: azimuth limits along the track, m");
   add_real(app, "--at-range", a.at_m, "M", "range of one range cell (default: the strongest)");
   add_real(app, "--at-time", a.at_s, "S", "time of one pulse, or of the middle of several (default: the middle)");
-  add_real(app, "--at-azimuth", a.at_azimuth_m, "M", "of a focused image, place of one row (default: the strongest)");
-  add_integer(app, "--pulses", a.pulses, 1, 1'000'000'000, "number around --at-time (default: all in view)");
+  add_real(app, "--at-azimuth", a.at_azimuth_m, "M",
+           "focused image: azimuth position of one row (default: the strongest)");
+  add_integer(app, "--pulses", a.pulses, 1, 1'000'000'000, "number of pulses around --at-time (default: all in view)");
   add_real(app, "--rate", a.rate_hz, "HZ", "sampling frequency instead of the simulation's", is_positive,
            "a number above 0");
   app.add_flag("--recorded", a.recorded, "cuts of the samples that a run saves, none in between");
@@ -312,8 +313,7 @@ void add_choice_of_values(CLI::App& app, PlotArguments& a) {
        {"magnitude", picture::DisplayQuantity::magnitude},
        {"phase", picture::DisplayQuantity::phase},
        {"db", picture::DisplayQuantity::decibels}},
-      "what of the samples (default: real of a script, magnitude of files and antennas, db of "
-      "profiles and spectra)");
+      "quantity shown (default: real for scripts, magnitude for files and antennas, db for profiles and spectra)");
   add_choice<picture::ProfileMean>(
       app, "--mean", a.mean, {{"power", picture::ProfileMean::power}, {"coherent", picture::ProfileMean::coherent}},
       "how a profile is averaged (default: power)");
@@ -328,7 +328,7 @@ void add_choice_of_values(CLI::App& app, PlotArguments& a) {
                                       "weights of spectra and range-Doppler maps (default: hann)");
   add_integer(app, "--interval", a.interval, 1, 1 << 20, "doppler-time: pulses of each spectrum (default: 64)");
   add_integer(app, "--padding", a.padding, 1, 64, "Doppler bins for each pulse (default: 1)");
-  app.add_flag("--wrapped", a.wrapped, "phases within half a turn, not joined to a line");
+  app.add_flag("--wrapped", a.wrapped, "phases wrapped to +-180 deg, not unwrapped");
   add_integer(app, "--mark-peaks", a.peaks, 0, 100, "mark so many of the highest maxima of a cut");
   add_text(app, "--function", a.function, "OBJECT:FIELD", "which user-defined function, such as Plane:trajectory");
   app.add_flag("--compare", a.compare, "a function by all three interpolations");
@@ -342,15 +342,15 @@ void add_view(CLI::App& app, PlotArguments& a) {
   add_choice<From>(
       app, "--view", a.view,
       {{"start", From::start}, {"top", From::top}, {"front", From::front}, {"side", From::side}, {"beam", From::beam}},
-      "scene: from where it is seen; beam: along that of --radar (default: start)");
+      "scene: viewpoint; beam: along the beam of --radar (default: start)");
   add_two_reals(app, "--look", a.look_deg, "AZIMUTH ELEVATION",
                 "scene: direction to the viewer, deg, instead of --view");
-  add_text(app, "--follow", a.followed, "PLATFORM", "scene: what stays in the middle");
-  app.add_flag("--perspective", a.perspective, "scene: what is farther is smaller");
+  add_text(app, "--follow", a.followed, "PLATFORM", "scene: platform kept in the centre");
+  app.add_flag("--perspective", a.perspective, "scene: perspective view");
   app.add_flag("--illuminated", a.illuminated, "scene: the ground that was illuminated so far");
   add_choice<Tracks>(app, "--trails", a.tracks,
                      {{"plain", Tracks::plain}, {"time", Tracks::by_time}, {"speed", Tracks::by_speed}},
-                     "scene: what the colours of paths say (default: plain)");
+                     "scene: quantity coded by the colours of paths (default: plain)");
   add_integer(app, "--frames", a.frames, 1, 9999,
               "scene: so many pictures from --time FROM to TO, NAME-0001.png and so on");
 }
@@ -368,9 +368,9 @@ void add_look(CLI::App& app, PlotArguments& a) {
   add_choice<picture::ColourMap>(app, "--colours", a.map, maps,
                                  "map of colours (default: one that suits what is shown)");
   app.add_flag("--invert", a.inverted, "colours in the opposite order");
-  app.add_flag("--peak", a.peak, "the largest sample of each pixel instead of one of them (of focused images always)");
-  add_real(app, "--span", a.span_db, "DB", "decibels from the strongest to the weakest that is seen (default: 60)",
-           is_positive, "a number above 0");
+  app.add_flag("--peak", a.peak,
+               "the largest sample in each pixel instead of a single one (always for focused images)");
+  add_real(app, "--span", a.span_db, "DB", "dynamic range shown, dB (default: 60)", is_positive, "a number above 0");
   add_real(
       app, "--percentile", a.percentile, "P", "share of the samples within the colours, percent (default: 100)",
       [](double p) { return p > 0.0 && p <= 100.0; }, "a number above 0, at most 100");
@@ -387,7 +387,7 @@ void add_look(CLI::App& app, PlotArguments& a) {
   add_real(
       app, "--scale", a.scale, "S", "dots for each pixel of a PNG, 0.25 to 16 (default: 1)",
       [](double scale) { return scale >= 0.25 && scale <= 16.0; }, "a number from 0.25 to 16");
-  app.add_flag("--dark", a.dark, "light words on a dark ground");
+  app.add_flag("--dark", a.dark, "light text on a dark background");
   const auto take_title = [&a](const std::string& text) {
     if (text.starts_with("--")) throw CLI::ValidationError("--title", fmt::format("'{}' is not a title", text));
     a.title = text;
@@ -442,18 +442,19 @@ Action add_plot(CLI::App& app) {
   add_table_options(app, workflow::sample_option_table(), a->samples);
   add_scene_overrides(app, a->overrides);
   add_examples(
-      app, {{"sarsim plot sar_r.toml -o echoes.png", "what its first recording holds"},
-            {"sarsim plot sar_r.toml --radar Radar1 --data compressed --show db -o a.svg", "any window, in decibels"},
-            {"sarsim plot scene.toml --kind pulse --show magnitude -o pulse.pdf", "magnitude against slant range"},
-            {"sarsim plot recording.h5 --kind doppler --at-range 3000 -o b.png", "the range-Doppler map of a file"},
-            {"sarsim plot sar_r.img --show db -o image.png", "a focused image, every point of it seen"},
-            {"sarsim plot sar_r.toml --kind pulse --data compressed --show db --vary Radar1.window=rectangular,hamming "
-             "-o c.png",
-             "two curves in one picture"},
-            {"sarsim plot sar_r.toml --kind track -o paths.svg", "a map of the platforms' paths, and their heights"},
-            {"sarsim plot sar_r.toml --kind scene --illuminated -o view.png", "the scene, as the workbench shows it"},
-            {"sarsim plot sar_r.toml --kind scene --frames 100 --follow Plane -o flight.png", "pictures for a film"},
-            {"sarsim plot sar_r.toml --kind antenna --csv pattern.csv", "a table alone"}});
+      app,
+      {{"sarsim plot sar_r.toml -o echoes.png", "the echoes of its first recording"},
+       {"sarsim plot sar_r.toml --radar Radar1 --data compressed --show db -o a.svg", "any range window, in decibels"},
+       {"sarsim plot scene.toml --kind pulse --show magnitude -o pulse.pdf", "magnitude against slant range"},
+       {"sarsim plot recording.h5 --kind doppler --at-range 3000 -o b.png", "the range-Doppler map of a file"},
+       {"sarsim plot sar_r.img --show db -o image.png", "a focused image, with the peak of each pixel"},
+       {"sarsim plot sar_r.toml --kind pulse --data compressed --show db --vary Radar1.window=rectangular,hamming "
+        "-o c.png",
+        "two curves in one picture"},
+       {"sarsim plot sar_r.toml --kind track -o paths.svg", "a map of the platforms' paths, and their heights"},
+       {"sarsim plot sar_r.toml --kind scene --illuminated -o view.png", "the scene, as the workbench shows it"},
+       {"sarsim plot sar_r.toml --kind scene --frames 100 --follow Plane -o flight.png", "pictures for a film"},
+       {"sarsim plot sar_r.toml --kind antenna --csv pattern.csv", "a table alone"}});
   return [a](Streams& streams) { return plot(*a, streams); };
 }
 

@@ -69,8 +69,7 @@ void expect_places(const PlotArguments& a, const workflow::PlacedImage& input) {
                                "choose along the track with --azimuth and --at-azimuth, in m");
   const bool placed = input.focused || input.axes;
   if (!placed && (!a.range_m.empty() || !a.time_s.empty()))
-    throw core::InvalidRequest("the file does not say its ranges and times",
-                               "name the script that wrote it with --script");
+    throw core::InvalidRequest("the file has no range and time axes", "name the script that wrote it with --script");
   if (input.axes && !input.has_times() && (!a.time_s.empty() || a.at_s))
     throw core::InvalidRequest("the rows of the file have no times", "leave out --time and --at-time");
 }

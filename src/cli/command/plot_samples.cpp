@@ -21,7 +21,7 @@ std::size_t nearest(const std::vector<double>& places, std::optional<double> wan
     return fmt::format("{:.6g}{}{}", value, names.unit.empty() ? "" : " ", names.unit);
   };
   if (*wanted < low - spacing || *wanted > high + spacing)
-    throw core::InvalidRequest(fmt::format("{} {} is not among what is seen", names.label, with_unit(*wanted)),
+    throw core::InvalidRequest(fmt::format("{} {} is outside the view", names.label, with_unit(*wanted)),
                                fmt::format("it goes from {:.6g} to {}", low, with_unit(high)));
   const auto distance = [&](double place) { return std::abs(place - *wanted); };
   return static_cast<std::size_t>(std::ranges::min_element(places, {}, distance) - places.begin());
@@ -66,7 +66,7 @@ picture::EchoBlock read_block(const picture::SampleSource& samples, simulate::In
                               simulate::IndexSpan columns, std::size_t times) {
   const double count = static_cast<double>(rows.end - rows.begin) * static_cast<double>(columns.end - columns.begin);
   if (count * static_cast<double>(times) > static_cast<double>(max_samples))
-    throw core::InvalidRequest(fmt::format("{} pulses of {} samples are too many to look at at once",
+    throw core::InvalidRequest(fmt::format("{} pulses of {} samples are too many to show at once",
                                            rows.end - rows.begin, columns.end - columns.begin),
                                "choose fewer with --pulses, or a narrower --range");
   return samples.read(rows, columns);
@@ -152,7 +152,7 @@ bool is_of_samples(PlotKind kind) {
 Plotted plot_samples(const PlotArguments& a, const picture::SampleSource& samples) {
   expect_quantity(a);
   if (samples.row_place.empty() || samples.column_place.empty())
-    throw core::InvalidRequest("there are no samples to look at");
+    throw core::InvalidRequest("there are no samples to show");
   const std::size_t row = nearest(samples.row_place, a.at_s, samples.look.rows);
   const std::size_t column = a.at_m || !needs_column(a.kind)
                                  ? nearest(samples.column_place, a.at_m, samples.look.columns)
@@ -174,7 +174,7 @@ Plotted plot_samples(const PlotArguments& a, const picture::SampleSource& sample
     return plotted;
   }
   if (!samples.timed)
-    throw core::InvalidRequest("the file does not say the times, ranges and carriers that this kind of plot needs",
+    throw core::InvalidRequest("the file lacks the times, ranges and carriers that this kind of plot needs",
                                "name the script that wrote it with --script, or use an HDF5 file");
   plotted.figure = radar_view(a, samples, row, column);
   picture::say_unit(plotted.figure, samples.look.unit);

@@ -91,7 +91,7 @@ void expect_view(const PlotArguments& a) {
   if (a.look_deg.size() == 2 && std::abs(a.look_deg[1]) > 90.0)
     throw core::InvalidRequest(fmt::format("--look: an elevation of {} deg", a.look_deg[1]), "choose -90 to 90 deg");
   if (a.view && !a.look_deg.empty())
-    throw core::InvalidRequest("--view and --look both say from where the scene is seen", "leave one of them out");
+    throw core::InvalidRequest("--view and --look both set the viewpoint", "leave one of them out");
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ std::string summary_text(const workflow::ProfilesReport& report) {
       series.rows.size(), report.bursts, series.scans.size(), series.scans.size() == 1 ? "" : "s", axis.count,
       axis.first_m, axis.at(static_cast<double>(axis.count) - 1.0), axis.step_m, core::duration_text(report.seconds));
   text += fmt::format(
-      "band {} about {}: resolution {:.4g} m; steps repeat every {:.4g} m; speed shifts by {:.4g} m and smears over "
+      "band {} about {}: resolution {:.4g} m; unambiguous over {:.4g} m; motion shifts by {:.4g} m and smears over "
       "{:.4g} m for each m/s\n",
       core::with_prefix(series.band_hz, "Hz", 4), core::with_prefix(series.centre_hz, "Hz", 5), limits.resolution_m,
       limits.unambiguous_range_m, limits.shift_m_per_mps, limits.smear_m_per_mps);
@@ -53,8 +53,8 @@ std::string crowd_text(const workflow::ProfilesReport& report) {
       report.targets, [cell_m](const workflow::HeldTarget& target) { return target.nearest_m < cell_m; });
   if (crowded == 0) return {};
   return fmt::format(
-      "{} of {} lie within a resolution cell ({:.4g} m) of another (*): they share peaks, whose places and heights "
-      "are those of their sums\n",
+      "{} of {} lie within a resolution cell ({:.4g} m) of another (*): they are not resolved, and each listed peak is "
+      "their coherent sum\n",
       crowded, counted(report.targets.size(), "target"), cell_m);
 }
 
@@ -104,7 +104,7 @@ Action add_profiles(CLI::App& app) {
                {{"sarsim profiles stepped_aircraft.toml", "simulate: stepped_aircraft-profiles.img and .hdr"},
                 {"sarsim profiles stepped_aircraft.toml --velocity estimated --out a.csv", "sharpened, as a table"},
                 {"sarsim profiles sim1.h5 --group scans --window taylor:35:5", "a recording, a profile for each scan"},
-                {"sarsim profiles sim1.bin --script scene.toml --json", "a file that carries no script"}});
+                {"sarsim profiles sim1.bin --script scene.toml --json", "a file without its script"}});
   return [arguments](Streams& streams) { return run_profiles(*arguments, streams); };
 }
 

@@ -59,13 +59,13 @@ class RunPrinter {
     events.made = [this](const workflow::ProductReport& product) { print(product); };
     events.rejected = [this](const std::filesystem::path& file, std::size_t rows) {
       watch_.close();
-      write_err(streams_, fmt::format("{}: {} pulses are not as the journal says; they are computed again\n",
-                                      file.string(), rows));
+      write_err(streams_,
+                fmt::format("{}: {} pulses do not match the journal and are recomputed\n", file.string(), rows));
     };
     events.kept = [this](const std::filesystem::path& file, const std::filesystem::path& folder) {
       watch_.close();
-      write_err(streams_,
-                fmt::format("{}: what is done is kept in {}; go on with --resume\n", file.string(), folder.string()));
+      write_err(streams_, fmt::format("{}: finished work is kept in {}; continue with --resume\n", file.string(),
+                                      folder.string()));
     };
     return events;
   }
@@ -137,13 +137,11 @@ ExitStatus run(const RunArguments& arguments, Streams& streams, workflow::Team* 
 }
 
 void add_run_options(CLI::App& app, RunArguments& a) {
-  add_text(
-      app, "-o,--out", a.folder, "DIR|FILE",
-      "folder for the products, made when missing (default: the current one); or the file of the only recording, by "
-      "the ending of its format");
+  add_text(app, "-o,--out", a.folder, "DIR|FILE",
+           "folder for the outputs, created if missing (default: the current one); or the file of a single recording, "
+           "whose extension sets the format");
   add_format(app, "--format", a.request.overrides.format, "format of all recordings, with its extension");
-  add_engine(app, a.engine,
-             "how echoes are added up: the faster one (default), or one of them; all within --tolerance");
+  add_engine(app, a.engine, "engine that sums the echoes (default: auto, the faster one); all stay within --tolerance");
   add_text(app, "--simd", a.request.simd, "LEVEL",
            "instruction set to use (avx512, avx2, sse4, ...), for the same bytes on other processors");
   add_integer(app, "--threads", a.threads, 0, 4096, "threads; 0 for one per core (default); never changes a byte");
@@ -171,13 +169,13 @@ Action add_run(CLI::App& app, workflow::Team* team) {
       ->type_name("NUMBER|NAME");
   add_run_options(app, *arguments);
   add_examples(app,
-               {{"sarsim run sar_r.toml", "everything that the scene asks for"},
+               {{"sarsim run sar_r.toml", "all outputs of the scene"},
                 {"sarsim run sar_r.toml 2 --out results", "its second recording, into another folder"},
                 {"sarsim run sar_r.toml 1 --out echoes.npy", "its first recording, as this file"},
                 {"sarsim run sar_r.toml --format hdf5 --force", "volts as HDF5, replacing older files"},
                 {"sarsim run old.scr --profile classic", "as the program of 1998 computed it"},
                 {"sarsim run sar_r.toml --part 3/8", "the third of eight shares, on any machine that sees the folder"},
-                {"sarsim run sar_r.toml --resume", "with a journal; the same again goes on where it ended"}});
+                {"sarsim run sar_r.toml --resume", "with a journal; the same command continues an interrupted run"}});
   return [arguments, team](Streams& streams) { return run(*arguments, streams, team); };
 }
 

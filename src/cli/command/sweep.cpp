@@ -131,7 +131,7 @@ ExitStatus sweep_scene(const SweepArguments& arguments, Streams& streams) {
   if (arguments.commands && request.post_processing)
     throw core::InvalidRequest(
         "--commands prints the recordings alone",
-        "leave out --focus, --search or --profiles, and follow up each recording in a command of its own");
+        "leave out --focus, --search or --profiles, and process each recording with a command of its own");
   if (arguments.commands) {
     write_out(streams, run_commands(arguments, plan));
     return exit_done;
@@ -151,13 +151,13 @@ Action add_sweep(CLI::App& app) {
                {{"sarsim sweep scene.toml --set seed=1..1000 --out runs", "a thousand noises"},
                 {"sarsim sweep scene.toml --set Radar1.bandwidth=10MHz:10MHz:100MHz --set seed=1..10 --dry-run",
                  "what a hundred combinations would be"},
-                {"sarsim sweep scene.toml --set 'Target1.x=1km,2km' --discard", "figures alone, no recordings"},
+                {"sarsim sweep scene.toml --set 'Target1.x=1km,2km' --discard", "results only, no recordings"},
                 {"sarsim sweep scene.toml --let speed=100:50:300m/s", "a name of [let], and all that it stands for"},
                 {"sarsim sweep scene.toml --values cases.csv --out runs", "a variation for each line of a table"},
                 {"sarsim sweep scene.toml --zip --set 'Target1.rcs=normal(1, 0.2)' --set seed=1..100",
                  "random values, each with its own noise"},
                 {"sarsim sweep sar.toml --set seed=1..100 --discard --focus --measure",
-                 "the errors of a hundred images, as columns of the table"},
+                 "the errors of 100 images, as columns of the table"},
                 {"sarsim sweep scene.toml --set seed=1..100 --dry-run --commands", "a command for each variation"},
                 {"sarsim sweep scene.toml --fields", "what can be set"}});
   return [arguments](Streams& streams) { return sweep_scene(*arguments, streams); };

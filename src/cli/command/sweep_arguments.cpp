@@ -18,7 +18,7 @@ void add_sweep_arguments(CLI::App& app, SweepArguments& a) {
       ->type_name("NAME=VALUES")
       ->allow_extra_args(false);
   add_format(app, "--format", request.overrides.format, "format of all recordings, with its extension");
-  add_engine(app, a.engine, "how echoes are added up, as for run");
+  add_engine(app, a.engine, "engine that sums the echoes, as for run");
   add_text(app, "--simd", a.simd, "LEVEL", "instruction set to use, as for run");
   app.add_flag("--fields", a.fields, "print the fields that can be set, with their values, and end");
   app.add_flag("--dry-run", a.dry_run, "check every variation, print what would run, and end");

@@ -42,8 +42,8 @@ std::string text_of(const workflow::verify::Record& record, bool failures_only) 
       text += fmt::format("  {:<6}  {:<64} {:>16}  {:>16}\n", "", "", "measured", "expected");
     text += line_of(f);
   }
-  return text + fmt::format("{}{} of {} statements hold\n", text.empty() ? "" : "\n", workflow::verify::holding(record),
-                            record.findings().size());
+  return text + fmt::format("{}{} of {} comparisons agree\n", text.empty() ? "" : "\n",
+                            workflow::verify::holding(record), record.findings().size());
 }
 
 std::string json_of(const workflow::verify::VerifyReport& report) {
@@ -86,9 +86,9 @@ Action add_verify(CLI::App& app) {
   app.add_flag("--quick", arguments->quick, "fewer samples, and no measurement of speed");
   app.add_flag("--json", arguments->json, "the findings as JSON");
   app.add_flag("--force", arguments->force, "replace the page where it exists");
-  app.add_flag("--quiet", arguments->quiet, "only what does not hold");
-  add_examples(app, {{"sarsim verify", "everything, in some seconds"},
-                     {"sarsim verify --quick --quiet", "in a script; exit status 1 where something does not hold"},
+  app.add_flag("--quiet", arguments->quiet, "only comparisons that fail");
+  add_examples(app, {{"sarsim verify", "all comparisons, in a few seconds"},
+                     {"sarsim verify --quick --quiet", "in a script; exit status 1 if a comparison fails"},
                      {"sarsim verify --html verify.html", "a page to keep"}});
   return [arguments](Streams& streams) { return verify_program(*arguments, streams); };
 }

@@ -55,26 +55,25 @@ struct Program {
 
   Program() {
     prepare();
-    add("run", "simulate: everything that a scene asks for, or some of it",
-        [](CLI::App& command) { return add_run(command); });
-    add("new", "write a commented scene to begin with", add_new);
+    add("run", "simulate all or some of a scene's outputs", [](CLI::App& command) { return add_run(command); });
+    add("new", "write a commented example scene", add_new);
     add("sweep", "run variations of a scene: ranges of values, seeds", add_sweep);
-    add("check", "say everything that is wrong with scenes", add_check);
+    add("check", "check scenes for errors and likely mistakes", add_check);
     add("explain", "explain a field of a scene: meaning, unit, range, default", add_explain);
     add("info", "describe a scene or a file of samples", add_info);
-    add("geometry", "print where everything is, pulse by pulse", add_geometry);
-    add("motion", "write how a platform moves, for other programs or for focusing", add_motion);
-    add("plot", "make pictures of echoes, from a scene or a file of samples", add_plot);
-    add("merge", "join the parts of recordings that were made apart", add_merge);
+    add("geometry", "tabulate the geometry pulse by pulse: positions, delays, amplitudes, speeds", add_geometry);
+    add("motion", "export the motion of a platform, for other programs or for focusing", add_motion);
+    add("plot", "plot echoes, spectra, antenna patterns and paths of a scene or a file of samples", add_plot);
+    add("merge", "merge recordings made in parts", add_merge);
     add("convert", "convert files of samples between formats", add_convert);
-    add("focus", "focus a recording or a simulated one to an image (synthetic aperture)", add_focus);
-    add("measure", "find a scene's targets in a focused image and compare them with theory", add_measure);
-    add("doppler", "make range-Doppler maps and detect what moves, interval by interval", add_doppler);
-    add("search", "make the picture of a rotating antenna (PPI) and detect targets", add_search);
-    add("profiles", "make synthetic range profiles from bursts of stepped frequencies", add_profiles);
-    add("isar", "make images of a turning target (inverse synthetic aperture)", add_isar);
+    add("focus", "form a SAR image from a recording or a scene", add_focus);
+    add("measure", "measure a scene's targets in a focused image against expected values", add_measure);
+    add("doppler", "form range-Doppler maps and detect moving targets in each coherent interval", add_doppler);
+    add("search", "form the PPI display of a rotating antenna and detect targets", add_search);
+    add("profiles", "form synthetic range profiles from stepped-frequency bursts", add_profiles);
+    add("isar", "form inverse SAR (ISAR) images of a rotating target", add_isar);
     add("format", "rewrite a scene in the standard layout (its own comments are not kept)", add_format_command);
-    add("verify", "compare the simulator with formulas, the thesis and itself", add_verify);
+    add("verify", "self-test against closed-form results, the thesis and a reference engine", add_verify);
     add("completion", "print a completion script for a shell", [this](CLI::App& command) {
       for (const Command& other : commands)
         if (other.app != &command) actions_of_others.push_back(other.add_options(*other.app));
@@ -87,9 +86,9 @@ struct Program {
   // For processes that run together.
   explicit Program(workflow::Team& team) {
     app.name("sarsim-mpi");
-    app.description("Carries out sarsim run by the processes of an MPI job together.");
+    app.description("Runs sarsim run across the processes of an MPI job.");
     prepare();
-    add("run", "simulate: everything that a scene asks for, or some of it",
+    add("run", "simulate all or some of a scene's outputs",
         [&team](CLI::App& command) { return add_run(command, &team); });
     add_examples(app, {{"mpirun -n 8 sarsim-mpi run scene.toml", "eight processes, each with its share of the cores"}});
   }
@@ -263,14 +262,14 @@ ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& s
 // What to do about a failure of the system; empty where nothing helps.
 std::string remedy(const std::error_code& failure) {
   if (failure == std::errc::no_space_on_device || failure == std::errc::file_too_large)
-    return "make room or write elsewhere; what was there before is untouched";
+    return "free some space or write elsewhere; existing files are untouched";
   if (failure == std::errc::permission_denied || failure == std::errc::operation_not_permitted ||
       failure == std::errc::read_only_file_system || failure == std::errc::not_a_directory ||
       failure == std::errc::no_such_file_or_directory || failure == std::errc::is_a_directory ||
       failure == std::errc::file_exists)
     return "write into a folder that can be written, with another --out or output name";
   if (failure == std::errc::filename_too_long) return "give the output a shorter name";
-  if (core::is_retryable(failure)) return "this may pass: try again later";
+  if (core::is_retryable(failure)) return "temporary failure: try again later";
   return {};
 }
 
@@ -312,8 +311,8 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
     const auto* kept = dynamic_cast<const core::DeferredSignal*>(&interrupted);
     write_err(streams,
               fmt::format("sarsim: interrupted; {}\n",
-                          kept == nullptr ? "nothing unfinished was left behind"
-                                          : "what is done is kept in " + kept->kept_in + "; go on with --resume"));
+                          kept == nullptr ? "no partial output was left behind"
+                                          : "finished work is kept in " + kept->kept_in + "; continue with --resume"));
     if (json) write_failure(streams, "interrupted", {});
     return 128 + (number != 0 ? number : SIGINT);
   } catch (const std::bad_alloc&) {
@@ -322,9 +321,10 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
     // No thread could be made: with a limit of its own on memory that does not pass.
     const std::uint64_t limit_bytes = core::own_memory_limit_bytes();
     if (error.code() == std::errc::resource_unavailable_try_again && limit_bytes > 0)
-      return fail(exit_failed,
-                  fmt::format("not enough memory for another thread: this process may take {} MB", limit_bytes >> 20U),
-                  "take fewer threads (--threads 1), or raise the limit (ulimit -v)");
+      return fail(
+          exit_failed,
+          fmt::format("not enough memory for another thread: this process is limited to {} MB", limit_bytes >> 20U),
+          "use fewer threads (--threads 1), or raise the limit (ulimit -v)");
     return fail(status_of(error.code()), error.what(), remedy(error.code()));
   } catch (const std::exception& error) {
     return fail(exit_failed, error.what());

@@ -51,7 +51,7 @@ std::string report_text(const workflow::RecordingReport& report) {
   text += fmt::format("  engine             {} ({}), relative error below {:g}\n", report.engine, report.engine_reason,
                       report.engine == "reference" ? 1e-12 : report.options.tolerance);
   if (run.saturated > 0)
-    text += fmt::format("  some samples were clipped: an LSB of {} would hold them all\n", millivolts(run.best_lsb_v));
+    text += fmt::format("  some samples were clipped: an LSB of {} would avoid clipping\n", millivolts(run.best_lsb_v));
   return text;
 }
 

@@ -48,7 +48,7 @@ TEST(Report, SaysHowToAvoidSaturation) {
   workflow::RecordingReport report = recording();
   report.run.saturated = 10;
   EXPECT_THAT(report_text(report), HasSubstr("1 % saturated"));
-  EXPECT_THAT(report_text(report), HasSubstr("an LSB of 1E-06 mV would hold them all"));
+  EXPECT_THAT(report_text(report), HasSubstr("an LSB of 1E-06 mV would avoid clipping"));
 }
 
 TEST(Report, JsonOfNothingWrittenHasANullFile) {

@@ -26,7 +26,7 @@ std::variant<InputFile, Problem> InputFile::open(const std::filesystem::path& pa
   if (descriptor < 0) {
     const int error = errno;
     return cannot_open(path, std::generic_category().message(error),
-                       error == ENOENT ? "look at the name and the folder" : "give a file that you may read");
+                       error == ENOENT ? "check the name and the folder" : "give a file that you may read");
   }
   struct stat status {};
   const bool known = ::fstat(descriptor, &status) == 0;

@@ -173,10 +173,10 @@ void Parser::end_line() {
   if (here() == '#') comment();
   if (skip_line_end() || at_end()) return;
   const bool alone = here() == '\r';
-  note({rest_of_line(position_), alone
-                                     ? Complaint{"carriage return stands without a line feed", "a line feed", ""}
-                                     : Complaint{"text goes on where the line should end", "a line end or a # comment",
-                                                 "a value with a unit or of several words stands in quotes"}});
+  note({rest_of_line(position_),
+        alone ? Complaint{"carriage return without a line feed", "a line feed", ""}
+              : Complaint{"unexpected text where the line should end", "a line end or a # comment",
+                          "a value with a unit or of several words needs straight quotes"}});
   skip_line();
 }
 
@@ -253,9 +253,9 @@ Course Parser::unclosed() {
 
 void Parser::note(const Clash& clash, bool header, bool element) {
   static constexpr Complaint through_value{"value cannot be extended", "a name that has no value yet", ""};
-  static constexpr Complaint twice{"key stands twice in its table", "each key once", ""};
+  static constexpr Complaint twice{"key appears twice in its table", "each key once", ""};
   static constexpr Complaint is_table{"name is a table already", "a name that is not used yet", ""};
-  static constexpr Complaint header_twice{"table stands twice", "each table once", ""};
+  static constexpr Complaint header_twice{"table appears twice", "each table once", ""};
   static constexpr Complaint dotted{"table was made by dotted keys, a header cannot make it again", "", ""};
   static constexpr Complaint array{"name is an array of tables", "[[ ]] for one more element", ""};
   static constexpr Complaint no_array{"name is a table, not an array of tables", "[ ] or another name", ""};
@@ -290,13 +290,13 @@ void Parser::check_text(Span span, bool basic, bool lines) {
     const bool newer = escaped == 'e' || escaped == 'x';
     if (c == '\\') {
       note({*forbidden,
-            {"backslash begins no escape", "one of \\b \\t \\n \\f \\r \\\" \\\\ \\uXXXX \\UXXXXXXXX",
+            {"unknown escape sequence", "one of \\b \\t \\n \\f \\r \\\" \\\\ \\uXXXX \\UXXXXXXXX",
              newer ? "that one is of TOML 1.1" : "write \\\\ for a backslash, or the text in ' '"}});
     } else if (static_cast<unsigned char>(c) >= 0x80) {
-      note({*forbidden, {"bytes are not UTF-8", "text in UTF-8", "save the file in the coding UTF-8"}});
+      note({*forbidden, {"bytes are not UTF-8", "text in UTF-8", "save the file as UTF-8"}});
     } else {
       note({*forbidden,
-            {"control character stands in a text", "printable characters and tabs",
+            {"control character in a text", "printable characters and tabs",
              basic ? "write it as \\u and four hexadecimal digits" : ""}});
     }
     // One for a line.
@@ -334,7 +334,7 @@ void Parser::key_fault(std::size_t begin) {
   if (c == '"' || c == '\'')
     note({rest_of_line(begin), {"key in quotes is not closed", "a closing quote", ""}});
   else if (static_cast<unsigned char>(c) >= 0x80)
-    note({rest_of_line(begin), {"bare key holds other letters than a to z", "a key in quotes", ""}});
+    note({rest_of_line(begin), {"bare key contains a non-ASCII letter", "a key in quotes", ""}});
   else
     note({rest_of_line(begin),
           {"key is missing", "a key: letters, digits, _ and -, or any text in quotes",
@@ -345,7 +345,7 @@ void Parser::key_fault(std::size_t begin) {
 Course Parser::assignment(Names::Node table, Entry& entry) {
   if (!key()) return Course::stuck;
   entry.key = {parts_.front().begin, parts_.back().end};
-  if (here() != '=') return stumble({rest_of_line(position_), {"= is missing behind the key", "key = value", ""}});
+  if (here() != '=') return stumble({rest_of_line(position_), {"missing = after the key", "key = value", ""}});
   ++position_;
   if (const auto clash = names_.add_key(table, parts_)) note(*clash, false, false);
   skip_blanks();
@@ -383,7 +383,7 @@ Course Parser::unclosed_string() {
   if (!triple) {
     note({rest_of_line(begin),
           {"string is not closed", text_[begin] == '"' ? "a closing \"" : "a closing '",
-           "a string of several lines stands in three quotes"}});
+           "a string of several lines needs three quotes"}});
     return Course::stuck;
   }
   note({rest_of_line(begin),
@@ -408,8 +408,9 @@ Course Parser::scalar(Value& value) {
 Course Parser::no_value() {
   const char c = here();
   const bool none = at_end() || c == '\n' || c == '\r' || c == '#' || c == ',' || c == ']' || c == '}';
-  return stumble({rest_of_line(position_), none ? Complaint{"value is missing", "a value", ""}
-                                                : Complaint{"value is not known", "a value", "text stands in quotes"}});
+  return stumble(
+      {rest_of_line(position_), none ? Complaint{"value is missing", "a value", ""}
+                                     : Complaint{"not a TOML value", "a value", "text needs straight quotes"}});
 }
 
 // ---- brackets
@@ -469,7 +470,7 @@ Course Parser::array_element(bool comma_due) {
 Course Parser::missing(const char* expected) {
   // Where a string before was not closed, it has swallowed the comma.
   if (swallowed_ && skip(text_, line_begin_, blank_byte) == position_) return Course::on;
-  return stumble({rest_of_line(position_), {"values are not parted by a comma", expected, ""}});
+  return stumble({rest_of_line(position_), {"values are not separated by a comma", expected, ""}});
 }
 
 // To what may follow an item that cannot be read: a comma, a closing bracket or the line end.
@@ -500,7 +501,7 @@ Course Parser::table_items(Names::Node node) {
     if (here() == '}' || here() == ']') {
       if (after == After::comma && here() == '}')
         note({span_of(position_, position_ + 1),
-              {"comma stands behind the last item of an inline table", "no comma", "only TOML 1.1 allows it"}});
+              {"comma after the last item of an inline table", "no comma", "only TOML 1.1 allows it"}});
       return Course::on;
     }
     if (here() == ',' && after == After::item) {
@@ -522,7 +523,8 @@ bool Parser::line_end_in_table() {
   if (here() != '#' && line_end_length(text_, position_) == 0) return false;
   if (!swallowed_)
     note({span_of(open_.back().at, position_),
-          {"inline table does not end in its line", "a closing } in the same line", "only TOML 1.1 lets it go on"}});
+          {"inline table does not end on its line", "a closing } in the same line",
+           "only TOML 1.1 allows line breaks in it"}});
   swallowed_ = true;
   skip_space();
   return true;

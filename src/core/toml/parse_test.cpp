@@ -369,20 +369,14 @@ many \
 
 TEST(TomlDocument, FindsAllMistakesAtOnce) {
   EXPECT_EQ(mistakes_of("a = \"x\nb = 5.3 GHz\nc = yes\n! d\n[e\nf = 1\nf = 2\n"),
-            "1:5 string is not closed\n"
-            "2:9 text goes on where the line should end\n"
-            "3:5 value is not known\n"
-            "4:1 key is missing\n"
-            "5:3 header is not closed\n"
-            "7:1 key stands twice in its table");
+            "1:5 string is not closed\n2:9 unexpected text where the line should end\n3:5 not a TOML value\n4:1 key is "
+            "missing\n5:3 header is not closed\n7:1 key appears twice in its table");
 }
 
 TEST(TomlDocument, GoesOnWithinArrays) {
   EXPECT_EQ(mistakes_of("a = [\n  [1, 2x],\n  [3 4, 5],\n  [6, , 7],\n]\nb = 01\n"),
-            "2:7 number is not well formed\n"
-            "3:6 values are not parted by a comma\n"
-            "4:7 value is missing\n"
-            "6:5 number has a leading zero");
+            "2:7 malformed number\n3:6 values are not separated by a comma\n4:7 value is missing\n6:5 number has a "
+            "leading zero");
 }
 
 TEST(TomlDocument, FindsTheLineThatFollowsAnOpenBracketOrString) {
@@ -395,7 +389,7 @@ TEST(TomlDocument, FindsTheLineThatFollowsAnOpenBracketOrString) {
             "1:5 string of several lines is not closed\n3:5 number has a leading zero");
   EXPECT_EQ(mistakes_of("a = [\"x,\n  1]\nb = 01\n"), "1:6 string is not closed\n3:5 number has a leading zero");
   EXPECT_EQ(mistakes_of("a = {b = 1,\n  c = 2\n}\nd = 01\n"),
-            "1:5 inline table does not end in its line\n4:5 number has a leading zero");
+            "1:5 inline table does not end on its line\n4:5 number has a leading zero");
   EXPECT_EQ(mistakes_of("a = {b = [1}\nc = [{d = 1]\ne = 01\n"),
             "1:12 closing bracket is of the wrong kind\n"
             "2:12 closing bracket is of the wrong kind\n"
@@ -420,7 +414,7 @@ TEST(TomlDocument, SaysWhatIsWrongInWords) {
   const Mistake word = first("a = abc # x\n");
   EXPECT_EQ(word.found, "abc");
   EXPECT_EQ(word.expected, "a value");
-  EXPECT_EQ(word.hint, "text stands in quotes; true and false in small letters");
+  EXPECT_EQ(word.hint, "text needs straight quotes; write true and false in lower case");
   EXPECT_EQ(first("a = 07:30\n").hint, "only TOML 1.1 lets them be left out");
   EXPECT_EQ(first("a = {b = 1,}\n").hint, "only TOML 1.1 allows it");
   EXPECT_EQ(first("a = \"\\e\"\n").hint, "that one is of TOML 1.1");
@@ -450,7 +444,7 @@ TEST(TomlDocument, TakesManyNamesInLinearTime) {
   std::string keys;
   for (int i = 0; i < 100'000; ++i) keys += "key" + std::to_string(i) + " = " + std::to_string(i) + "\n";
   EXPECT_EQ(mistakes_of(keys), "");
-  EXPECT_EQ(mistakes_of(keys + "key99999 = 1\n"), "100001:1 key stands twice in its table");
+  EXPECT_EQ(mistakes_of(keys + "key99999 = 1\n"), "100001:1 key appears twice in its table");
   EXPECT_EQ(mistakes_of("[[x]]\n" + keys + "[[x]]\n" + keys), "");
 }
 

@@ -160,7 +160,7 @@ std::optional<bool> boolean(std::string_view text, const Value& value) {
 namespace {
 
 constexpr Complaint fine{};
-constexpr const char* word_hint = "text stands in quotes; true and false in small letters";
+constexpr const char* word_hint = "text needs straight quotes; write true and false in lower case";
 
 // ---- numbers
 
@@ -179,7 +179,7 @@ std::size_t take_digits(std::string_view& word, bool (*is_one)(char)) {
   return i - underscores;
 }
 
-constexpr Complaint bad_digits{"number is not well formed", "digits, with single underscores between them at most", ""};
+constexpr Complaint bad_digits{"malformed number", "digits, with single underscores between them at most", ""};
 constexpr Complaint too_large{"integer needs more than 64 bits", "-9223372036854775808 to 9223372036854775807",
                               "write it with a point (1.0e30) where it need not be exact"};
 
@@ -201,14 +201,14 @@ Complaint complaint_about_fraction(std::string_view rest) {
   if (rest.starts_with('.')) {
     rest.remove_prefix(1);
     if (take_digits(rest, is_digit) == 0)
-      return {"number is not well formed", "digits on both sides of the point", "write 5.0 for 5., 0.5 for .5"};
+      return {"malformed number", "digits on both sides of the point", "write 5.0 for 5., 0.5 for .5"};
   }
   if (!rest.empty() && lower(rest.front()) == 'e') {
     rest.remove_prefix(1);
     if (rest.starts_with('+') || rest.starts_with('-')) rest.remove_prefix(1);
-    if (take_digits(rest, is_digit) == 0) return {"number is not well formed", "digits behind the e", ""};
+    if (take_digits(rest, is_digit) == 0) return {"malformed number", "digits after the e", ""};
   }
-  return rest.empty() ? fine : Complaint{"number is not well formed", "a number", "text stands in quotes"};
+  return rest.empty() ? fine : Complaint{"malformed number", "a number", "text needs straight quotes"};
 }
 
 Complaint complaint_about_number(std::string_view word) {
@@ -219,7 +219,7 @@ Complaint complaint_about_number(std::string_view word) {
   if (rest == "inf" || rest == "nan") return fine;
   if (rest.starts_with('.')) return complaint_about_fraction(rest.substr(0, 1));
   const char first = byte_at(rest, 0);
-  if (!is_digit(first) && first != '_') return {"value is not known", "a value", word_hint};
+  if (!is_digit(first) && first != '_') return {"not a TOML value", "a value", word_hint};
   const std::size_t count = take_digits(rest, is_digit);
   if (count == 0) return bad_digits;
   if (count > 1 && first == '0') return {"number has a leading zero", "a number without it", ""};
@@ -278,7 +278,7 @@ Complaint take_time(std::string_view& word, DateTime& time) {
   if (time.hour > 23 || time.minute > 59 || time.second > 60)
     return {"there is no such time", "00:00:00 to 23:59:59", ""};
   if (!take(word, '.')) return fine;
-  if (word.empty() || !is_digit(word[0])) return {"time is not well formed", "digits behind the point", ""};
+  if (word.empty() || !is_digit(word[0])) return {"time is not well formed", "digits after the point", ""};
   for (int unit = 100'000'000; !word.empty() && is_digit(word[0]); unit /= 10)
     time.nanosecond += unit * take_number(word, 1);
   return fine;
@@ -315,7 +315,7 @@ Complaint read_date_time(std::string_view word, Kind kind, DateTime& result) {
   }
   if (kind == Kind::offset_date_time)
     if (const Complaint complaint = take_offset(word, result); complaint.message != nullptr) return complaint;
-  if (!word.empty()) return {"date or time goes on where it should end", "", ""};
+  if (!word.empty()) return {"unexpected text after the date or time", "", ""};
   if (is_misplaced_leap_second(result)) return {"there is no such time", "second 60 in 23:59:60 UTC only", ""};
   return fine;
 }
@@ -328,7 +328,7 @@ Complaint complaint_about(std::string_view word, Kind kind) {
     case Kind::floating: return complaint_about_number(word);
     case Kind::boolean:
       if (word == "true" || word == "false") return fine;
-      return {"value is not known", "a value", word_hint};
+      return {"not a TOML value", "a value", word_hint};
     default: break;
   }
   DateTime ignored;

@@ -78,7 +78,7 @@ void FieldEditor::describe(QWidget* widget, bool with_label) {
   widget->installEventFilter(this);
   reset_ = new QAction(tr("Back to Default"), widget);
   reset_->setObjectName("reset_" + id());
-  reset_->setToolTip(tr("Takes what is said of this field out of the scene's text"));
+  reset_->setToolTip(tr("Remove this setting from the script and use the default"));
   reset_->setVisible(false);
   widget->addAction(reset_);
   connect(reset_, &QAction::triggered, this, &FieldEditor::reset_wanted);
@@ -92,10 +92,9 @@ void FieldEditor::describe(QWidget* widget, bool with_label) {
 void FieldEditor::refresh_tooltip() {
   QString text = tooltip_of(field_);
   if (!content_.expression.isEmpty())
-    text +=
-        "<p>" + tr("The scene says %1, which is %2.").arg(content_.expression, content_.value).toHtmlEscaped() + "</p>";
+    text += "<p>" + tr("Set to %1, which is %2.").arg(content_.expression, content_.value).toHtmlEscaped() + "</p>";
   if (content_.origin == FieldOrigin::by_default && !different_)
-    text += "<p>" + tr("This is the default: the text of the scene does not say it.") + "</p>";
+    text += "<p>" + tr("Default value (not set in the script).") + "</p>";
   described_->setToolTip(text);
   if (label_ != nullptr) label_->setToolTip(text);
 }

@@ -40,8 +40,8 @@ FindBar::FindBar(QPlainTextEdit* text, QWidget* parent)
     made->setAccessibleName(tip);
     return made;
   };
-  QToolButton* previous = button("find_previous", tr("Previous"), tr("Find the previous place (Shift+F3)"));
-  QToolButton* next = button("find_next", tr("Next"), tr("Find the next place (F3)"));
+  QToolButton* previous = button("find_previous", tr("Previous"), tr("Find previous (Shift+F3)"));
+  QToolButton* next = button("find_next", tr("Next"), tr("Find next (F3)"));
   QToolButton* close = button("find_close", tr("Close"), tr("Close the search (Esc)"));
   auto* layout = new FlowLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

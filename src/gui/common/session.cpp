@@ -100,7 +100,7 @@ void Session::turn_to(std::size_t index) {
 
 void Session::move(std::size_t from, std::size_t to) {
   if (from == to) return;
-  if (to >= desks_.size()) throw std::out_of_range("there is no such place in the row of documents");
+  if (to >= desks_.size()) throw std::out_of_range("there is no such position in the list of documents");
   std::unique_ptr<Desk> desk = std::move(desks_.at(from));
   desks_.erase(desks_.begin() + static_cast<std::ptrdiff_t>(from));
   desks_.insert(desks_.begin() + static_cast<std::ptrdiff_t>(to), std::move(desk));

@@ -67,16 +67,15 @@ QComboBox* EchoControls::add_list(QFormLayout* form, const FormRows::Words& word
 }
 
 void EchoControls::make_data_group(QFormLayout* form) {
-  radar_ = add_list(form, {tr("Radar"), "echo_radar", tr("Whose echoes are shown")}, {},
+  radar_ = add_list(form, {tr("Radar"), "echo_radar", tr("Radar whose echoes are shown")}, {},
                     [this](picture::EchoWindow& w, int) { w.recording.radar = radar_->currentText().toStdString(); });
-  data_ = add_list(
-      form, {tr("Data"), "echo_data", tr("What the A/D converter delivers, or what the matched filter makes of it")},
-      {tr("Raw return"), tr("Range compressed"), tr("Synthetic range profiles")},
-      [](picture::EchoWindow& w, int index) {
-        w.recording.processing = data_kinds[static_cast<std::size_t>(index)];
-        if (index > 0 && w.sampling.kind == picture::Sampling::Kind::screen)
-          w.sampling = {picture::Sampling::Kind::multiple, 0.0, 1.0};
-      });
+  data_ = add_list(form, {tr("Data"), "echo_data", tr("Raw samples, or range-compressed")},
+                   {tr("Raw return"), tr("Range compressed"), tr("Synthetic range profiles")},
+                   [](picture::EchoWindow& w, int index) {
+                     w.recording.processing = data_kinds[static_cast<std::size_t>(index)];
+                     if (index > 0 && w.sampling.kind == picture::Sampling::Kind::screen)
+                       w.sampling = {picture::Sampling::Kind::multiple, 0.0, 1.0};
+                   });
   sampling_ = add_list(
       form,
       {tr("Sampling"), "echo_sampling", tr("One sample for each pixel, a frequency, or a multiple of the bandwidth")},
@@ -103,7 +102,7 @@ void EchoControls::make_data_group(QFormLayout* form) {
       });
   position_ = add_list(form,
                        {tr("Pulse position"), "echo_position",
-                        tr("Where a target's range is in its echo: at the beginning of the pulse or at its centre")},
+                        tr("Which part of the echo is placed at the target's range: its leading edge or its centre")},
                        {tr("Begin"), tr("Centre")}, [](picture::EchoWindow& w, int index) {
                          w.recording.pulse_position = static_cast<scene::Simulation::PulsePosition>(index);
                        });
@@ -140,11 +139,11 @@ void EchoControls::make_drawing_group(QFormLayout* form) {
       {tr("Draw as"), "echo_draw_as", tr("Auto: curves where pulses are at least 20 pixels apart, colours elsewhere")},
       {tr("Colour pixels"), tr("Curve for each pulse"), tr("Curve for each range"), tr("Auto")},
       [](picture::EchoWindow& w, int index) { w.draw_as = static_cast<picture::DrawAs>(index); });
-  placing_ = add_list(form,
-                      {tr("Few pulses"), "echo_placing",
-                       tr("Where there are fewer pulses than rows: the nearest pulse fills them, or they stay empty")},
-                      {tr("Nearest pulse"), tr("Own row only")},
-                      [](picture::EchoWindow& w, int index) { w.placing = static_cast<picture::RowPlacing>(index); });
+  placing_ = add_list(
+      form,
+      {tr("Between Pulses"), "echo_placing", tr("Rows between pulses: repeat the nearest pulse, or leave them empty")},
+      {tr("Repeat Nearest"), tr("Leave Empty")},
+      [](picture::EchoWindow& w, int index) { w.placing = static_cast<picture::RowPlacing>(index); });
   peak_ = rows_.add_mark(
       form,
       {tr("Peak of each pixel"), "echo_peak",
@@ -164,7 +163,7 @@ void EchoControls::make_colour_group(QFormLayout* form) {
 }
 
 void EchoControls::make_reference_rows(QFormLayout* form) {
-  reference_ = add_list(form, {tr("0 dB is"), "echo_reference", tr("What decibels count from")},
+  reference_ = add_list(form, {tr("0 dB is"), "echo_reference", tr("0 dB Reference")},
                         {tr("the largest value"), tr("a voltage")}, [](picture::EchoWindow& w, int index) {
                           w.decibels.reference = static_cast<picture::Decibels::Reference>(index);
                         });

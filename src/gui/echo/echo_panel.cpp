@@ -23,8 +23,8 @@ EchoPanel::EchoPanel(QWidget* parent)
   tabs_->setMovable(true);
   tabs_->setElideMode(Qt::ElideMiddle);
   tabs_->setUsesScrollButtons(true);
-  auto* const alone = named(new QToolButton(tabs_), "echo_alone", tr("Window of its own"),
-                            tr("Show the echoes in a window of their own"));
+  auto* const alone =
+      named(new QToolButton(tabs_), "echo_alone", tr("Detach"), tr("Show the echoes in a separate window"));
   alone->setIcon(style()->standardIcon(QStyle::SP_TitleBarNormalButton));
   alone->setAutoRaise(true);
   tabs_->setCornerWidget(alone);

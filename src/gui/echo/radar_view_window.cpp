@@ -83,7 +83,7 @@ RadarViewWindow::RadarViewWindow(SimulationWindow& from, picture::RadarView view
 }
 
 void RadarViewWindow::make_controls(QHBoxLayout* row) {
-  view_ = named(new QComboBox(this), "radar_view_kind", tr("View"), tr("What is looked at"));
+  view_ = named(new QComboBox(this), "radar_view_kind", tr("View"), tr("Quantity shown"));
   for (const picture::RadarView view : views) view_->addItem(title_text(view));
   pulses_label_ = new QLabel(tr("&Pulses"), this);
   pulses_ = named(new QSpinBox(this), "radar_view_pulses", tr("Pulses"),
@@ -93,18 +93,18 @@ void RadarViewWindow::make_controls(QHBoxLayout* row) {
   pulses_label_->setBuddy(pulses_);
   interval_label_ = new QLabel(tr("Puls&es of a spectrum"), this);
   interval_ = named(new QSpinBox(this), "radar_view_interval", tr("Pulses of a spectrum"),
-                    tr("More tell frequencies apart, fewer times"));
+                    tr("More give finer Doppler resolution, fewer finer time resolution"));
   interval_->setRange(2, max_pulses);
   interval_->setKeyboardTracking(false);
   interval_label_->setBuddy(interval_);
   mean_ = named(new QComboBox(this), "radar_view_mean", tr("Mean"),
                 tr("Of the power, or coherent: what keeps its phase from pulse to pulse"));
   mean_->addItems({tr("Mean power"), tr("Coherent mean")});
-  window_ = named(new QComboBox(this), "radar_view_window", tr("Window"), tr("Weights over the input of the spectrum"));
+  window_ = named(new QComboBox(this), "radar_view_window", tr("Window"), tr("Window (weighting) of the spectrum"));
   window_->addItems({tr("Rectangular"), tr("Hann"), tr("Hamming")});
   padding_label_ = new QLabel(tr("&Bins per pulse"), this);
   padding_ = named(new QSpinBox(this), "radar_view_padding", tr("Bins per pulse"),
-                   tr("Above 1, Doppler bins are nearer to each other (zero padding)"));
+                   tr("Above 1, Doppler bins are closer together (zero padding)"));
   padding_->setRange(1, max_padding);
   padding_->setKeyboardTracking(false);
   padding_label_->setBuddy(padding_);

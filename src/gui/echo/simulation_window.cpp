@@ -139,8 +139,8 @@ QWidget* SimulationWindow::make_tool_row() {
   settings_ = add_tool(row, tr("Settings"), "echo_settings", tr("Radar, limits, sampling and colours"));
   settings_->setCheckable(true);
   settings_->setChecked(true);
-  back_ = add_tool(row, tr("Back"), "echo_back", tr("The view before (Backspace)"));
-  forward_ = add_tool(row, tr("Forward"), "echo_forward", tr("The view that was left by going back"));
+  back_ = add_tool(row, tr("Back"), "echo_back", tr("Previous View (Backspace)"));
+  forward_ = add_tool(row, tr("Forward"), "echo_forward", tr("Next View (after going back)"));
   connect(back_, &QToolButton::clicked, this, &SimulationWindow::go_back);
   connect(forward_, &QToolButton::clicked, this, &SimulationWindow::go_forward);
   auto* const all = add_tool(row, tr("Show All Targets"), "echo_show_all",

@@ -29,7 +29,7 @@ std::filesystem::path recovery_folder() {
 }
 
 QString name_of_document(const std::filesystem::path& path) {
-  return path.empty() ? DocumentKeeper::tr("a scene that was never saved") : text_of(path);
+  return path.empty() ? DocumentKeeper::tr("a new scene") : text_of(path);
 }
 
 }  // namespace
@@ -396,16 +396,16 @@ void DocumentKeeper::make_questions() {
     box.exec();
   };
   ask_recovery = [this](const std::filesystem::path& document) {
-    const QString name = document.empty() ? tr("a scene that was never saved") : text_of(document);
+    const QString name = document.empty() ? tr("a new scene") : text_of(document);
     QMessageBox box(QMessageBox::Question, tr("Recovery"),
-                    tr("The program ended before the changes to %1 were saved. Take them up again?").arg(name),
+                    tr("Sarsim closed unexpectedly. Restore the unsaved changes to %1?").arg(name),
                     QMessageBox::Yes | QMessageBox::No | QMessageBox::Cancel, window_);
     box.setInformativeText(
-        tr("A copy of the scene with these changes was kept. It is opened as it was, with the changes "
-           "unsaved; or deleted, and the changes with it; or kept, and asked about at the next start."));
-    box.button(QMessageBox::Yes)->setText(tr("&Take Them Up"));
-    box.button(QMessageBox::No)->setText(tr("&Delete the Copy"));
-    box.button(QMessageBox::Cancel)->setText(tr("&Keep It for Later"));
+        tr("Restore opens the recovered scene, still unsaved. Discard deletes the changes. Ask Next Time keeps them "
+           "until the next start."));
+    box.button(QMessageBox::Yes)->setText(tr("&Restore"));
+    box.button(QMessageBox::No)->setText(tr("&Discard"));
+    box.button(QMessageBox::Cancel)->setText(tr("&Ask Next Time"));
     box.setDefaultButton(QMessageBox::Yes);
     const int button = box.exec();
     return button == QMessageBox::Yes ? Answer::save : button == QMessageBox::No ? Answer::discard : Answer::cancel;
@@ -419,8 +419,7 @@ DocumentKeeper::DataAnswer DocumentKeeper::data_question(const std::vector<scene
     lines += (files[i].replaces ? tr("%1 (is replaced)") : tr("%1 (new)")).arg(text_of(files[i].path));
   if (files.size() > max_shown) lines += tr("and %1 more").arg(files.size() - max_shown);
   QMessageBox box(QMessageBox::Question, tr("Data files"),
-                  tr("Data files of this scene do not hold its current functions. Write these files too?"),
-                  QMessageBox::Cancel, window_);
+                  tr("Data files of this scene are out of date. Write these files too?"), QMessageBox::Cancel, window_);
   box.setInformativeText(lines.join('\n'));
   QPushButton* write = box.addButton(tr("&Write them"), QMessageBox::AcceptRole);
   const QPushButton* leave = box.addButton(tr("&Only the script"), QMessageBox::DestructiveRole);

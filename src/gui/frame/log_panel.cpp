@@ -60,7 +60,7 @@ void LogPanel::tell_problems(const core::Problems& problems) {
     if (++added <= max_at_once) add_line(placed_problem_text(problem, session_.document().path()));
   }
   if (added > max_at_once) add_line(tr("and %1 more").arg(added - max_at_once));
-  if (!told.empty() && now.empty()) add_line(tr("Nothing is wrong with the script any more."));
+  if (!told.empty() && now.empty()) add_line(tr("All problems are fixed."));
   // Errors hide what else is wrong: it is not new when it is seen again.
   if (core::has_errors(problems))
     for (const auto& [cause, count] : told)

@@ -138,11 +138,11 @@ void MainMenus::make_file_menu() {
       tr("Close this scene, or the window that is in front"));
   QAction* next = add_action(
       file, tr("Nex&t Scene"), "file_next", QKeySequence("Ctrl+PgDown"), [this] { emit document_step_wanted(1); },
-      tr("Turn to the next of the open scenes"));
+      tr("Go to the next open scene"));
   next->setShortcuts({QKeySequence("Ctrl+PgDown"), QKeySequence("Ctrl+Tab")});
   QAction* previous = add_action(
       file, tr("&Previous Scene"), "file_previous", QKeySequence("Ctrl+PgUp"),
-      [this] { emit document_step_wanted(-1); }, tr("Turn to the one before"));
+      [this] { emit document_step_wanted(-1); }, tr("Go to the previous open scene"));
   previous->setShortcuts({QKeySequence("Ctrl+PgUp"), QKeySequence("Ctrl+Shift+Tab")});
   file->addSeparator();
   add_action(
@@ -215,7 +215,7 @@ void MainMenus::make_edit_menu() {
              [this] { parts_.tree.duplicate_selection(); });
   add_action(edit, tr("Re&name"), "edit_rename", {}, [this] { parts_.tree.rename_current(); });
   add_action(edit, tr("&Table of Targets"), "edit_targets", QKeySequence("Ctrl+T"), [this] { tools_.show_targets(); });
-  add_action(edit, tr("Options of the &Script"), "edit_options", {}, [this] {
+  add_action(edit, tr("&Scene Settings"), "edit_options", {}, [this] {
     parts_.session.select({});
     parts_.bring("properties");
   });
@@ -242,7 +242,7 @@ void MainMenus::make_geometry_menu() {
   QMenu* geometry = window_.menuBar()->addMenu(tr("&Geometry"));
   add_action(
       geometry, tr("New &Target"), "new_target", QKeySequence("Ctrl+1"),
-      [this] { emit object_wanted(scene::Target()); }, tr("Add a point that reflects"));
+      [this] { emit object_wanted(scene::Target()); }, tr("Add a point scatterer"));
   add_action(
       geometry, tr("New &Platform"), "new_platform", QKeySequence("Ctrl+2"),
       [this] {
@@ -256,10 +256,10 @@ void MainMenus::make_geometry_menu() {
       tr("Add a transmitter and receiver at the origin of a platform"));
   add_action(
       geometry, tr("New &Surface"), "new_surface", QKeySequence("Ctrl+4"),
-      [this] { emit object_wanted(scene::Surface()); }, tr("Add a triangle filled with points that reflect"));
+      [this] { emit object_wanted(scene::Surface()); }, tr("Add a triangle sampled by point scatterers"));
   add_action(
       geometry, tr("New &Cloud"), "new_cloud", {}, [this] { emit object_wanted(scene::Cloud()); },
-      tr("Add many points that reflect, from an NPY, CSV or HDF5 table"));
+      tr("Add many point scatterers, from an NPY, CSV or HDF5 table"));
 }
 
 void MainMenus::make_simulation_menu() {
@@ -271,18 +271,18 @@ void MainMenus::make_simulation_menu() {
   };
   add_action(
       simulation, tr("&Raw Return"), "simulation_raw", QKeySequence("Ctrl+R"), [open] { open(scene::Processing::raw); },
-      tr("See what the A/D converter delivers, as the scene changes"));
+      tr("Raw samples at the A/D converter, following the scene"));
   add_action(
       simulation, tr("Range &Compressed"), "simulation_compressed", QKeySequence("Ctrl+Shift+R"),
-      [open] { open(scene::Processing::matched_filter); }, tr("See what the matched filter makes of it"));
-  add_action(simulation, tr("&Previously Stored"), "simulation_stored", {}, [this] { parts_.bring("simulations"); });
+      [open] { open(scene::Processing::matched_filter); }, tr("Echoes after the matched filter"));
+  add_action(simulation, tr("Recor&dings"), "simulation_stored", {}, [this] { parts_.bring("simulations"); });
   add_action(
       simulation, tr("&Geometry"), "simulation_geometry", QKeySequence("Ctrl+G"), [this] { tools_.show_geometry(); },
       tr("Table of ranges, delays, amplitudes and speeds for every pulse"));
   add_action(
       simulation, tr("Sa&ving"), "simulation_saving", {},
       [this] { parts_.saver.queue().show(), parts_.saver.queue().raise(); },
-      tr("Files that are being saved, and what came of those before"));
+      tr("Files being saved, and the results of earlier ones"));
   simulation->addSeparator();
   add_action(
       simulation, tr("R&un"), "simulation_run", QKeySequence("F5"),
@@ -298,11 +298,10 @@ void MainMenus::make_simulation_menu() {
   QMenu* display = window_.menuBar()->addMenu(tr("&Display"));
   add_action(
       display, tr("Simulation &Output…"), "display_output", QKeySequence("Ctrl+Shift+O"),
-      [this] { parts_.image_viewers.ask_file(); }, tr("Look into a file of samples, of any size, or a picture"));
+      [this] { parts_.image_viewers.ask_file(); }, tr("Open a file of samples, of any size, or a picture"));
   add_action(
       display, tr("&Make an Image…"), "display_products", QKeySequence("Ctrl+Shift+M"),
-      [this] { tools_.show_products(); },
-      tr("Focus the echoes, or make range profiles, Doppler maps or a search picture of them"));
+      [this] { tools_.show_products(); }, tr("Focus the echoes, or form range profiles, Doppler maps or a PPI"));
   add_action(display, tr("&Script File"), "display_script", QKeySequence("Ctrl+E"), [this] {
     parts_.bring("script");
     parts_.script.setFocus();
@@ -315,11 +314,10 @@ void MainMenus::make_view_menu() {
       view, tr("&Focus…"), "view_focus", {}, [this] { tools_.show_focus(); },
       tr("Look at a point, or follow a platform"));
   make_hand_entries(view);
-  for (const auto& [text, name, preset] :
-       {std::tuple{tr("From A&bove"), "view_top", picture::ViewPreset::top},
-        std::tuple{tr("From the F&ront"), "view_front", picture::ViewPreset::front},
-        std::tuple{tr("From the S&ide"), "view_side", picture::ViewPreset::side},
-        std::tuple{tr("As at the Be&ginning"), "view_start", picture::ViewPreset::start}})
+  for (const auto& [text, name, preset] : {std::tuple{tr("From A&bove"), "view_top", picture::ViewPreset::top},
+                                           std::tuple{tr("From the F&ront"), "view_front", picture::ViewPreset::front},
+                                           std::tuple{tr("From the S&ide"), "view_side", picture::ViewPreset::side},
+                                           std::tuple{tr("Default View"), "view_start", picture::ViewPreset::start}})
     add_action(view, text, name, {}, [this, preset = preset] { parts_.scene.scene().look(preset); });
   QAction* perspective = add_action(view, tr("&Perspective"), "view_perspective", {}, {[] {}});
   perspective->setCheckable(true);
@@ -345,7 +343,7 @@ void MainMenus::make_view_menu() {
   view->addSeparator();
   QMenu* looks = view->addMenu(tr("Colo&urs"));
   auto* group = new QActionGroup(&window_);
-  for (const auto& [text, name, appearance] : {std::tuple{tr("As the Deskto&p"), "colours_system", Appearance::system},
+  for (const auto& [text, name, appearance] : {std::tuple{tr("Follow &System"), "colours_system", Appearance::system},
                                                std::tuple{tr("&Light"), "colours_light", Appearance::light},
                                                std::tuple{tr("&Dark"), "colours_dark", Appearance::dark}}) {
     QAction* action = add_action(looks, text, name, {}, [this, appearance = appearance] {
@@ -364,11 +362,11 @@ void MainMenus::make_view_menu() {
     panels->addAction(parts_.docks.at(name)->toggleViewAction());
   for (const auto& [name, dock] : parts_.docks) dock->toggleViewAction()->setObjectName("window_" + name);
   add_action(
-      view, tr("Ne&xt Panel"), "view_next_panel", QKeySequence("F6"), [this] { emit panel_step_wanted(1); },
-      tr("Take the keyboard to the next panel"));
+      view, tr("Go to Ne&xt Panel"), "view_next_panel", QKeySequence("F6"), [this] { emit panel_step_wanted(1); },
+      tr("Move the keyboard focus to the next panel"));
   add_action(
-      view, tr("Pre&vious Panel"), "view_previous_panel", QKeySequence("Shift+F6"),
-      [this] { emit panel_step_wanted(-1); }, tr("Take the keyboard to the panel before"));
+      view, tr("Go to Pre&vious Panel"), "view_previous_panel", QKeySequence("Shift+F6"),
+      [this] { emit panel_step_wanted(-1); }, tr("Move the keyboard focus to the previous panel"));
   add_action(
       view, tr("Reset Layout"), "view_reset", {}, [this] { layouts_.reset(); },
       tr("Put all windows back to their first places"));
@@ -399,7 +397,7 @@ void MainMenus::make_hand_entries(QMenu* view) {
   connect(cameras, &QMenu::aboutToShow, &parts_.scene, [this, cameras] { parts_.scene.fill_cameras(*cameras); });
   QAction* measure = add_action(
       view, tr("Measure Distance"), "view_measure", {}, {[] {}},
-      tr("Click two places of the scene: distance, height and angles; Escape ends it; in the scene the key M"));
+      tr("Click two points of the scene: distance, height and angles; Escape ends it; in the scene the key M"));
   measure->setCheckable(true);
   connect(measure, &QAction::toggled, &parts_.scene, &ScenePanel::measure);
   QAction* path = add_action(view, tr("Draw Path"), "view_draw_path", {}, {[] {}},

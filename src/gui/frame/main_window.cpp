@@ -170,7 +170,7 @@ void MainWindow::make_docks() {
   add_dock(tree_, tr("Objects"), "objects", Qt::LeftDockWidgetArea);
   add_dock(panel_, tr("Properties"), "properties", Qt::RightDockWidgetArea);
   QDockWidget* script = add_dock(script_, tr("Script File"), "script", Qt::BottomDockWidgetArea);
-  QDockWidget* simulations = add_dock(simulations_, tr("Previously Stored"), "simulations", Qt::BottomDockWidgetArea);
+  QDockWidget* simulations = add_dock(simulations_, tr("Recordings"), "simulations", Qt::BottomDockWidgetArea);
   QDockWidget* log = add_dock(new LogPanel(session_, *problems_), tr("Log"), "log", Qt::BottomDockWidgetArea);
   // Wanted by its name in the menu View, where there is room for it.
   add_dock(new LivePanel(session_, *image_viewers_), tr("Image"), "image", Qt::RightDockWidgetArea)->hide();
@@ -208,7 +208,7 @@ void MainWindow::show_state() {
     if (number > 0) words << (number == 1 ? one : many.arg(static_cast<qulonglong>(number)));
   };
   count(scene.targets.size(), tr("1 target"), tr("%L1 targets"));
-  count(workflow::cloud_points(scene), tr("1 point of clouds"), tr("%L1 points of clouds"));
+  count(workflow::cloud_points(scene), tr("1 cloud point"), tr("%L1 cloud points"));
   count(scene.surfaces.size(), tr("1 surface"), tr("%L1 surfaces"));
   count(scene.radars.size(), tr("1 radar"), tr("%L1 radars"));
   QString text = words.isEmpty() ? tr("Nothing in the scene yet") : words.join("   ");

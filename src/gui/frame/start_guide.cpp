@@ -194,8 +194,8 @@ std::vector<TourStep> StartGuide::tour_steps() {
   using scene::ObjectKind;
   return {
       {tr("A radar"),
-       tr("Press Radar in the tool bar, or choose Geometry, New Radar (Ctrl+3). It stands at the origin and sends 1000 "
-          "pulses a second at 1 GHz with 1 kW. Its fields appear at the right."),
+       tr("Press Radar in the tool bar, or choose Geometry, New Radar (Ctrl+3). It is at the origin and transmits 1000 "
+          "pulses per second at 1 GHz with 1 kW. Its fields appear at the right."),
        [this] { return last_radar(parts_.session) != nullptr; }, trigger("new_radar")},
       {tr("A chirp"),
        tr("Among the fields of the radar, choose Chirp as the type of pulse. Its frequency runs through 50 MHz within "

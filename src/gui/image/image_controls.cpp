@@ -126,7 +126,7 @@ void ImageControls::show_view(const ImageView& view, const raster::FocusedPlaces
 void ImageControls::make_axes(QFormLayout* form) {
   make_limits(form);
   numbers_ = rows_.add_mark(
-      form, {tr("Rows and samples"), "image_numbers", tr("Axes count rows and samples instead of saying their places")},
+      form, {tr("Rows and samples"), "image_numbers", tr("Axes count rows and samples instead of showing positions")},
       [this](bool on) { change([on](PartLook& look) { look.numbers = on; }); });
   equal_scale_ =
       rows_.add_mark(form,

@@ -105,9 +105,9 @@ QWidget* ImageFrame::make_left(QWidget& viewer) {
   follow_file->setObjectName("image_follow");
   follow_file->setChecked(true);
   follow_file->setToolTip(tr("Look twice a second whether another program has written more"));
-  describe = new QPushButton(tr("Describe the File..."), left);
+  describe = new QPushButton(tr("Set File Layout..."), left);
   describe->setObjectName("image_describe");
-  describe->setToolTip(tr("Say how the file is stored, with a preview"));
+  describe->setToolTip(tr("Set how the file is stored, with a preview"));
   describe->setAutoDefault(false);
   for (QWidget* widget :
        {static_cast<QWidget*>(info), static_cast<QWidget*>(describe), static_cast<QWidget*>(thumbnail),
@@ -129,10 +129,10 @@ QWidget* ImageFrame::make_tool_row(QWidget& viewer) {
   auto* const row = new QWidget(&viewer);
   auto* const layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
-  back = add_tool(viewer, layout, tr("Back"), "image_back", tr("The view before (Backspace)"));
-  forward = add_tool(viewer, layout, tr("Forward"), "image_forward", tr("The view that was left by going back"));
+  back = add_tool(viewer, layout, tr("Back"), "image_back", tr("Previous View (Backspace)"));
+  forward = add_tool(viewer, layout, tr("Forward"), "image_forward", tr("Next View (after going back)"));
   for (QToolButton* button : {back, forward}) button->setEnabled(false);
-  whole = add_tool(viewer, layout, tr("Full Image"), "image_whole", tr("Show everything (Home)"));
+  whole = add_tool(viewer, layout, tr("Fit"), "image_whole", tr("Show everything (Home)"));
   refresh = add_tool(viewer, layout, tr("Refresh"), "image_refresh", tr("Open the file anew, as it is now"));
   show_cuts = add_tool(viewer, layout, tr("Cuts"), "image_show_cuts",
                        tr("Graphs along samples and rows through the first cursor"));
@@ -141,8 +141,8 @@ QWidget* ImageFrame::make_tool_row(QWidget& viewer) {
   reading_tool = add_tool(viewer, layout, tr("Read Point"), "image_reading_tool",
                           tr("Then click on a point target: resolution and sidelobes of its response"));
   show_targets = add_tool(viewer, layout, tr("Targets"), "image_show_targets",
-                          tr("The targets of the scene as rings, with a table of their offsets, widths, sidelobes and "
-                             "SNR; of images that sarsim focused"));
+                          tr("Marks the scene's targets and lists their position errors, widths, sidelobes and SNR; "
+                             "for images focused by Sarsim"));
   keep = add_tool(viewer, layout, tr("Keep"), "image_keep",
                   tr("Keep this image when a newer one of its kind is made, which then has a viewer of its own"));
   for (QToolButton* button : {show_cuts, show_statistics, reading_tool, show_targets, keep}) button->setCheckable(true);

@@ -410,8 +410,8 @@ void ImageViewer::show_problems() {
   add(open_problems_);
   if (source_) add(source_->problems());
   if (source_ && source_->indexed() < 1.0)
-    frame_.state->setText(tr("Looked through %1 %").arg(static_cast<int>(100.0 * source_->indexed())));
-  else if (frame_.state->text().startsWith(tr("Looked through")))
+    frame_.state->setText(tr("Scanned %1 %").arg(static_cast<int>(100.0 * source_->indexed())));
+  else if (frame_.state->text().startsWith(tr("Scanned")))
     frame_.state->clear();
   if (texts.isEmpty())
     frame_.problems->clear();

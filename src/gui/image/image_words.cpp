@@ -148,8 +148,7 @@ QString ImageWords::of_point(const picture::PointReading& r) const {
                      .arg(picture::value_of(picture::DisplayQuantity::phase, r.value), 0, 'f', 2)
                      .arg(cut(r.along_row, tr("samples")), cut(r.along_column, tr("rows")));
   if (std::max(r.along_row.pslr_db, r.along_column.pslr_db) > 0.0)
-    text +=
-        "\n" + tr("A stronger response lies beside this one, which may be its sidelobe: click on the stronger one.");
+    text += "\n" + tr("This may be a sidelobe of a stronger response nearby: click on that one.");
   return text;
 }
 

@@ -199,7 +199,7 @@ QLineEdit* OpenImageDialog::add_number(QFormLayout* form, const QString& label, 
 }
 
 void OpenImageDialog::make_sample_rows(QFormLayout* form) {
-  columns_ = add_number(form, tr("Samples of a row"), "open_image_columns", tr("Empty: as the file says"));
+  columns_ = add_number(form, tr("Samples per row"), "open_image_columns", tr("Empty: as the file says"));
   bits_ = add_number(form, tr("Bits"), "open_image_bits", tr("Of the A/D converter; needed for BINARY"));
 }
 
@@ -218,7 +218,7 @@ void OpenImageDialog::make_raw_rows(QFormLayout* form) {
   guess_ = choice(tr("Guesses"), "open_image_guess", tr("What the file looks like, likeliest first"));
   connect(guess_, &QComboBox::activated, this, &OpenImageDialog::take_guess);
   header_ = add_number(form, tr("Header, bytes"), "open_image_header", tr("Bytes before the first sample"));
-  width_ = add_number(form, tr("Width"), "open_image_width", tr("Samples of a row"));
+  width_ = add_number(form, tr("Width"), "open_image_width", tr("Samples per row"));
   height_ = add_number(form, tr("Height"), "open_image_height", tr("Rows; 0: as many as the file holds"));
   number_ = choice(tr("Numbers"), "open_image_number", tr("How a component of a sample is stored"));
   for (const raster::RawNumber number :

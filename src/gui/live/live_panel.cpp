@@ -117,11 +117,11 @@ LivePanel::~LivePanel() {
 
 void LivePanel::make_choices() {
   auto* const row = new QHBoxLayout;
-  product_ = narrow_list(this, "live_product", tr("Product"),
-                         tr("What is made from the echoes; Automatic takes what suits the scene"));
+  product_ =
+      narrow_list(this, "live_product", tr("Product"), tr("What to compute; Automatic chooses what suits the scene"));
   for (const picture::LiveProduct product : picture::live_products)
     product_->addItem(text_of(picture::title_of(product)));
-  simulation_ = narrow_list(this, "live_simulation", tr("Recording"), tr("Whose echoes are used"));
+  simulation_ = narrow_list(this, "live_simulation", tr("Recording"), tr("Recording to Process"));
   simulation_->setMinimumContentsLength(4);
   more_ = word_button(this, tr("Options"), "live_more", tr("Algorithm, window, motion compensation, colours"));
   more_->setCheckable(true);
@@ -131,7 +131,7 @@ void LivePanel::make_choices() {
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
   for (QComboBox* list : {product_, simulation_})
     connect(list, &QComboBox::activated, this, [this] {
-      simulation_->setToolTip(tr("Whose echoes are used: %1").arg(simulation_->currentText()));
+      simulation_->setToolTip(tr("Recording to Process: %1").arg(simulation_->currentText()));
       show_choices();
       compute_soon();
     });
@@ -147,16 +147,17 @@ void LivePanel::make_options() {
   window_ = narrow_list(options_, "live_window", tr("Window"), tr("Weighting: lower sidelobes for wider peaks"));
   for (const char* name : workflow::window_words) window_->addItem(name);
   compensation_ = named(new QCheckBox(tr("Motion compensation"), options_), "live_compensation",
-                        tr("Motion compensation"), tr("Takes out of the echoes how the flight leaves a straight line"));
+                        tr("Motion compensation"), tr("Compensates deviations of the track from a straight line"));
   compensation_->setChecked(true);
   autofocus_ = named(new QCheckBox(tr("Autofocus"), options_), "live_autofocus", tr("Autofocus"),
-                     tr("Removes phase errors that are left, found in the image itself"));
-  targets_ = named(
-      new QCheckBox(tr("Rings around targets"), options_), "live_targets", tr("Rings around targets"),
-      tr("Where the targets of the scene should be in the image, of %1 at most").arg(picture::max_ringed_targets));
+                     tr("Removes residual phase errors, estimated from the image itself"));
+  targets_ =
+      named(new QCheckBox(tr("Mark True Positions"), options_), "live_targets", tr("Mark True Positions"),
+            tr("Expected positions of the scene's targets in the image, at most %1").arg(picture::max_ringed_targets));
   colours_ = narrow_list(options_, "live_colours", tr("Colours"), tr("Colours of the image"));
   for (const picture::ColourMap map : maps) colours_->addItem(text_of(picture::info_of(map).title));
-  span_ = named(new QSpinBox(options_), "live_span", tr("Decibels shown"), tr("Shown below the largest magnitude"));
+  span_ = named(new QSpinBox(options_), "live_span", tr("Dynamic Range"),
+                tr("Range below the largest magnitude that is shown"));
   span_->setRange(10, 120);
   span_->setSingleStep(5);
   span_->setSuffix(tr(" dB"));
@@ -171,7 +172,7 @@ void LivePanel::make_options() {
   add_titled(tr("&Algorithm"), algorithm_, 0, 0);
   add_titled(tr("&Window"), window_, 0, 1);
   add_titled(tr("&Colours"), colours_, 2, 0);
-  add_titled(tr("&Decibels shown"), span_, 2, 1);
+  add_titled(tr("&Dynamic Range"), span_, 2, 1);
   grid->addWidget(compensation_, 4, 0);
   grid->addWidget(autofocus_, 4, 1);
   grid->addWidget(targets_, 5, 0, 1, 2);
@@ -187,8 +188,8 @@ void LivePanel::make_options() {
 
 void LivePanel::make_pictures() {
   pictures_ = new QBoxLayout(QBoxLayout::LeftToRight);
-  before_ = named(new FigurePlot(this), "live_before", tr("The image that was kept"), {});
-  plot_ = named(new FigurePlot(this), "live_plot", tr("The image of the scene as it is"), {});
+  before_ = named(new FigurePlot(this), "live_before", tr("The pinned image"), {});
+  plot_ = named(new FigurePlot(this), "live_plot", tr("The image of the current scene"), {});
   for (FigurePlot* plot : {before_, plot_}) {
     plot->setMinimumSize(140, 180);
     pictures_->addWidget(plot, 1);
@@ -201,9 +202,9 @@ void LivePanel::make_pictures() {
 
 void LivePanel::make_foot() {
   auto* const row = new QHBoxLayout;
-  keep_ = word_button(this, tr("Keep"), "live_keep", tr("Keep this image, to compare it with what comes"));
-  compare_ = narrow_list(this, "live_compare", tr("Compare"), tr("With the image that was kept"));
-  compare_->addItems({tr("Now alone"), tr("Side by side"), tr("Blink"), tr("Difference")});
+  keep_ = word_button(this, tr("Keep"), "live_keep", tr("Pin this image, to compare later ones with it"));
+  compare_ = narrow_list(this, "live_compare", tr("Compare"), tr("Comparison with the pinned image"));
+  compare_->addItems({tr("Current Only"), tr("Side by side"), tr("Blink"), tr("Difference")});
   progress_ = named(new QProgressBar(this), "live_progress", tr("The image is being computed"), {});
   progress_->setRange(0, 0);
   progress_->setTextVisible(false);
@@ -258,7 +259,7 @@ void LivePanel::show_simulations() {
     simulation_->addItems(names);
     simulation_->setCurrentIndex(std::min(chosen, simulation_->count() - 1));
   }
-  simulation_->setToolTip(tr("Whose echoes are used: %1").arg(simulation_->currentText()));
+  simulation_->setToolTip(tr("Recording to Process: %1").arg(simulation_->currentText()));
   simulation_->setVisible(simulation_->count() > 1);
   show_choices();
 }
@@ -323,7 +324,7 @@ void LivePanel::compute() {
     complete_ = true;
     progress_->hide();
     show_image();
-    problems_->say(tr("No recording is stored yet: make one under Previously Stored, with New."));
+    problems_->say(tr("No recording yet: create one under Recordings, with New."));
     emit finished();
     return;
   }
@@ -422,9 +423,9 @@ void LivePanel::show_state() {
   const double seconds = shown.cost.seconds;
   text += text_of(shown.made) + ", " +
           (seconds < 1.0 ? tr("%1 ms").arg(1e3 * seconds, 0, 'f', 0) : text_of(core::duration_text(seconds)));
-  if (comparing() == Compare::difference) text = tr("Now minus before. ") + text;
-  if (comparing() == Compare::blink) text = (before_is_seen_ ? tr("Before. ") : tr("Now. ")) + text;
-  if (comparing() == Compare::side_by_side) text = tr("Before, now. ") + text;
+  if (comparing() == Compare::difference) text = tr("Current minus pinned. ") + text;
+  if (comparing() == Compare::blink) text = (before_is_seen_ ? tr("Pinned. ") : tr("Current. ")) + text;
+  if (comparing() == Compare::side_by_side) text = tr("Pinned first, then current. ") + text;
   state_->say(text);
 }
 

@@ -273,8 +273,8 @@ void FunctionEditor::take_knot(std::size_t row, core::Knot knot) {
   }
   knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(row));
   if (std::ranges::find(knots, knot.x, &core::Knot::x) != knots.end())
-    return say(core::Severity::error, {tr("Another sample stands at this %1 already; each needs its own.")
-                                           .arg(QString::fromStdString(info_.x_name).toLower())});
+    return say(core::Severity::error,
+               {tr("Another sample is already at this %1.").arg(QString::fromStdString(info_.x_name).toLower())});
   const auto place = std::ranges::upper_bound(knots, knot.x, {}, &core::Knot::x);
   const auto at = static_cast<std::size_t>(place - knots.begin());
   knots.insert(place, knot);

@@ -253,7 +253,7 @@ QVariant ObjectTreeModel::heading_data(const Group& group, int column, int role)
   }
   if (role != Qt::DisplayRole) return {};
   switch (group.section) {
-    case Section::world: return tr("World (on no platform)");
+    case Section::world: return tr("World (no platform)");
     case Section::simulations: return tr("Stored simulations");
     case Section::geometries: return tr("Geometry tables");
     case Section::platform: break;

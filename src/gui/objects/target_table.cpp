@@ -274,7 +274,7 @@ bool TargetTable::paste_values(const QString& text) {
 
 void TargetTable::paste() {
   const QString text = QApplication::clipboard()->text();
-  if (text.trimmed().isEmpty()) return say(core::Severity::note, {tr("The clipboard holds no text.")});
+  if (text.trimmed().isEmpty()) return say(core::Severity::note, {tr("The clipboard contains no text.")});
   if (paste_values(text)) return;
   scene::TargetImport import = scene::import_targets(text.toStdString(), platform_for_new(), session_.scene().world);
   QStringList problems;
@@ -283,7 +283,7 @@ void TargetTable::paste() {
   const bool any = !import.targets.empty();
   if (any) session_.perform(scene::add_targets(session_.scene(), std::move(import.targets)));
   if (!problems.isEmpty()) say(any ? core::Severity::warning : core::Severity::error, problems);
-  if (!any && problems.isEmpty()) say(core::Severity::note, {tr("The clipboard holds no targets.")});
+  if (!any && problems.isEmpty()) say(core::Severity::note, {tr("The clipboard contains no targets.")});
 }
 
 void TargetTable::import_file() {

@@ -70,7 +70,7 @@ const std::vector<ProductKind>& all_kinds() {
          return work_of<workflow::profiles>(workflow::profiles_request(script, words));
        }},
       {"isar",
-       QT_TRANSLATE_NOOP("ProductKind", "Image of a turning target"),
+       QT_TRANSLATE_NOOP("ProductKind", "ISAR image"),
        "--algorithm",
        QT_TRANSLATE_NOOP("ProductKind", "Algorithm"),
        {"range-doppler", "back-projection"},
@@ -88,7 +88,7 @@ const std::vector<ProductKind>& all_kinds() {
          return work_of<workflow::doppler>(workflow::doppler_request(script, words));
        }},
       {"search",
-       QT_TRANSLATE_NOOP("ProductKind", "Search picture (PPI)"),
+       QT_TRANSLATE_NOOP("ProductKind", "PPI (search radar)"),
        "--canceller",
        QT_TRANSLATE_NOOP("ProductKind", "Canceller"),
        {"none", "two", "three"},

@@ -97,10 +97,10 @@ ProductWindow::ProductWindow(Session& session, ImageViewers& viewers, QWidget* o
 ProductWindow::~ProductWindow() { job_.disconnect(this); }
 
 void ProductWindow::make_controls(QFormLayout* form) {
-  product_ = named(new QComboBox(this), "products_kind", tr("Product"), tr("What is made from the echoes"));
+  product_ = named(new QComboBox(this), "products_kind", tr("Product"), tr("What to compute"));
   for (const ProductKind& product : product_kinds())
     product_->addItem(QCoreApplication::translate("ProductKind", product.title));
-  simulation_ = named(new QComboBox(this), "products_simulation", tr("Simulation"), tr("Whose echoes are used"));
+  simulation_ = named(new QComboBox(this), "products_simulation", tr("Simulation"), tr("Recording to Process"));
   choice_ = named(new QComboBox(this), "products_choice", tr("Choice"), {});
   choice_title_ = new QLabel(this);
   choice_title_->setBuddy(choice_);

@@ -126,7 +126,7 @@ QStringList summary_lines(const RunSummary& summary) {
 
 QString saturation_warning(const RunSummary& summary) {
   if (summary.report.saturated == 0) return {};
-  return RunJob::tr("%1 of the samples were clipped: an LSB of %2 would hold them all.")
+  return RunJob::tr("%1 of the samples were clipped: an LSB of %2 would avoid clipping.")
       .arg(percent(share(summary.report.saturated, summary.report)), millivolts(summary.report.best_lsb_v));
 }
 

@@ -139,7 +139,7 @@ void SaveDataDialog::make_converter_group(QFormLayout* form) {
   bits_ = new QSpinBox(this);
   bits_->setObjectName("save_bits");
   bits_->setAccessibleName(tr("Bits"));
-  bits_->setToolTip(tr("Of each I and Q; a binary file gives each as many whole bytes as they need"));
+  bits_->setToolTip(tr("Bits per I and Q channel; a binary file stores each in whole bytes"));
   bits_->setRange(1, 64);
   bits_->setValue(choice_.recording.bits);
   form->addRow(tr("Bits"), bits_);

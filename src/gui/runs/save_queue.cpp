@@ -87,10 +87,10 @@ void SaveQueue::make_buttons() {
     return button;
   };
   again_ = add_button(tr("Save Again with Best &LSB"), "saving_again",
-                      tr("Save the same data again with the LSB that holds them all, in place of the file"),
+                      tr("Save the same data again with an LSB that avoids clipping, replacing the file"),
                       &SaveQueue::save_again);
   row->addStretch(1);
-  clear_ = add_button(tr("C&lear Ended"), "saving_clear", tr("Take what has ended from the list; files stay"),
+  clear_ = add_button(tr("C&lear Finished"), "saving_clear", tr("Remove finished jobs from the list (files are kept)"),
                       &SaveQueue::clear_ended);
   cancel_ = add_button(tr("&Cancel"), "saving_cancel", tr("End the chosen run; no part of its file is left"), [this] {
     if (chosen() != none) cancel(chosen());
@@ -207,7 +207,7 @@ void SaveQueue::clear_ended() {
 QString SaveQueue::report(std::size_t run) const {
   const Run& shown = runs_.at(run);
   switch (shown.state) {
-    case SaveState::waiting: return tr("Begins when those before have ended.");
+    case SaveState::waiting: return tr("Queued.");
     case SaveState::running: return shown.words;
     case SaveState::done: return summary_lines(shown.summary).join('\n');
     case SaveState::cancelled: return tr("Cancelled: not saved, and nothing was written.");

@@ -88,7 +88,7 @@ CameraBar::CameraBar(ScenePanel& panel) : panel_(panel) {
 
 void CameraBar::add_tools() {
   QToolButton* measure = add(Sign::measure, "camera_measure", tr("Measure distance"),
-                             tr("Click two places: distance, height and angles (M)"), {});
+                             tr("Click two points: distance, height and angles (M)"), {});
   QToolButton* path = add(Sign::path, "camera_path", tr("Draw path"),
                           tr("Clicks go on with the path of the selected platform (P)"), {});
   measure->setCheckable(true);

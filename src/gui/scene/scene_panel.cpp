@@ -685,7 +685,7 @@ void ScenePanel::fill_cameras(QMenu& menu) {
   for (const auto& [text, view] : {std::pair{tr("From Above"), picture::ViewPreset::top},
                                    std::pair{tr("From the Front"), picture::ViewPreset::front},
                                    std::pair{tr("From the Side"), picture::ViewPreset::side},
-                                   std::pair{tr("As at the Beginning"), picture::ViewPreset::start}})
+                                   std::pair{tr("Default View"), picture::ViewPreset::start}})
     add(text, [this, view = view] { scene_->look(view); });
   const auto each = [&](scene::ObjectKind kind, const QString& words, auto&& work) {
     menu.addSeparator();

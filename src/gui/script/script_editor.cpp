@@ -150,7 +150,7 @@ void ScriptEditor::make_actions() {
   complete_ = new QAction(tr("Complete the &word"), this);
   complete_->setObjectName("script_complete");
   complete_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Space));
-  complete_->setToolTip(tr("Shows what may stand at the cursor, in a script of format 2 (Ctrl+Space)"));
+  complete_->setToolTip(tr("Lists completions at the cursor, in a script of format 2 (Ctrl+Space)"));
   auto* next = new QAction(tr("Find next"), this);
   next->setShortcut(QKeySequence(Qt::Key_F3));
   auto* previous = new QAction(tr("Find previous"), this);
@@ -337,8 +337,8 @@ void ScriptEditor::refresh_problems() {
   problems_->setVisible(!found.empty());
   // Between two pauses the places are those of the text before the last keys.
   if (!pause_.isActive() && !stale_) text_->underline(here, coding_);
-  state_->setText(!text_->is_complete()               ? tr("The rest of the script is being put in.")
-                  : session_.document().text_broken() ? tr("The scene waits until the script can be read again.")
+  state_->setText(!text_->is_complete()               ? tr("Loading script; editing starts when it is complete.")
+                  : session_.document().text_broken() ? tr("Scene not updated: the script has errors.")
                                                       : QString());
 }
 

@@ -78,7 +78,7 @@ ShownPlan plan_shown(const scene::Scene& scene, std::shared_ptr<const simulate::
   if (!shown.problems.empty()) return shown;
   simulate::Plan plan = simulate::make_plan(small, 0, std::move(resolved), engine, stop);
   if (plan.acquisition.timing.rows == 0) {
-    shown.problems.push_back(failure("no complete burst leaves within the azimuth window"));
+    shown.problems.push_back(failure("no complete burst is sent within the azimuth window"));
     return shown;
   }
   shown.plan = std::make_shared<const simulate::Plan>(std::move(plan));

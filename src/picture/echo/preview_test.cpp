@@ -351,7 +351,7 @@ TEST(Preview, SaysWhyThereIsNothingToShow) {
   set_view(window, {2100.0, 2700.0, 0.0001, 0.0002});
   event = shown(scene, window, {10, 10});
   ASSERT_EQ(event.kind, Kind::failed);
-  EXPECT_NE(event.problems.at(0).message.find("no pulse leaves"), std::string::npos);
+  EXPECT_NE(event.problems.at(0).message.find("no pulse is sent"), std::string::npos);
 
   scene.targets[0].rcs_m2 = std::nan("");
   event = shown(scene, flight_window(), {10, 10});

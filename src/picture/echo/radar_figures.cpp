@@ -151,7 +151,7 @@ Figure radar_figure(const simulate::Plan& plan, const RadarViewChoice& choice, c
                          static_cast<double>(padding);
   if (samples > static_cast<double>(max_samples))
     throw std::runtime_error(
-        fmt::format("{} pulses of {} samples are too many to look at at once; choose fewer pulses or a narrower range",
+        fmt::format("{} pulses of {} samples are too many to show at once; choose fewer pulses or a narrower range",
                     rows.end - rows.begin, columns.end - columns.begin));
   const EchoBlock block = echo_block(plan, rows, columns, control);
   switch (choice.view) {

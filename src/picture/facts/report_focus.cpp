@@ -14,7 +14,7 @@ namespace {
 void add_autofocus(report::Facts& facts, const workflow::AutofocusFinding& found) {
   facts.word("Autofocus", found.applied ? "applied" : "failed, not applied");
   facts.number("Phase error, rms", found.rms_rad, "rad");
-  facts.number("Length of its pieces", found.piece_m, "m");
+  facts.number("Sub-aperture length", found.piece_m, "m");
   facts.word("Entropy before", report::fixed(found.entropy_before, 3));
   facts.word("Entropy after", report::fixed(found.entropy_after, 3));
 }
@@ -23,10 +23,10 @@ Figure phase_figure(const workflow::AutofocusFinding& found) {
   FigureAxis up{"Phase", "rad", 0.0, 1.0, {}};
   fit(up, found.phase_rad);
   Figure figure;
-  figure.title = "Phase that autofocus found";
+  figure.title = "Phase error estimated by autofocus";
   figure.note =
       fmt::format("{:.3g} rad rms, {}", found.rms_rad,
-                  found.applied ? std::string("taken out of the echoes") : "not taken out: " + failure_of(found));
+                  found.applied ? std::string("removed from the echoes") : "not removed: " + failure_of(found));
   figure.panels.push_back(curve_panel("", axis_along("Along the track", "m", found.along_m), std::move(up),
                                       found.along_m, found.phase_rad));
   return figure;
@@ -50,7 +50,7 @@ ReportPages pages_of(const workflow::FocusReport& made) {
   facts.word("Window over azimuth", signal::to_string(made.options.azimuth_window));
   facts.word("Motion compensation",
              made.motion == workflow::MotionOrder::none ? "none" : to_string(made.motion) + " order");
-  if (made.motion != workflow::MotionOrder::none) facts.number("Antenna off the line by up to", made.strays_m, "m");
+  if (made.motion != workflow::MotionOrder::none) facts.number("Largest deviation from the line", made.strays_m, "m");
   if (made.autofocus) add_autofocus(facts, *made.autofocus);
   facts.word("Worked", made.image.on_disk ? "on disk" : "in memory");
   facts.time(made.seconds);

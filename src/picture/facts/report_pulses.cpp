@@ -27,8 +27,8 @@ void add_intervals(report::Facts& facts, const workflow::PulseReport& made) {
   const workflow::SearchOptions& options = made.options;
   facts.count("Simulation", made.simulation + 1);
   facts.count("Intervals", made.intervals);
-  facts.count("Pulses of an interval", options.pulses);
-  facts.count("From one to the next", options.step_pulses(), "pulses");
+  facts.count("Pulses per interval", options.pulses);
+  facts.count("Interval step", options.step_pulses(), "pulses");
   if (made.doppler()) facts.count("Doppler frequencies", options.rows());
   facts.word("Canceller", options.canceller == 0 ? "none" : fmt::format("{} pulses", options.canceller + 1));
   facts.word("Window over the pulses", signal::to_string(options.window));
@@ -41,13 +41,13 @@ void add_detector(report::Facts& facts, const workflow::PulseReport& made) {
   }
   const signal::CfarOptions& cfar = made.options.cfar;
   facts.word("Detector", cfar.kind == signal::CfarOptions::Kind::ordered_statistic
-                             ? "ordered statistic of the cells around"
-                             : "mean of the cells around");
+                             ? "ordered statistic of the reference cells (OS)"
+                             : "mean of the reference cells (CA)");
   facts.word("Probability of false alarm", fmt::format("{:g}", cfar.false_alarm));
   facts.count("Reference cells", made.reference_cells);
   facts.word("Independent cells", report::six_digits(made.independent_cells));
   facts.count("Detections", made.detections);
-  facts.word("Expected of noise alone", fmt::format("{:.3g}", made.expected_false_alarms));
+  facts.word("Expected false alarms", fmt::format("{:.3g}", made.expected_false_alarms));
 }
 
 std::vector<std::string> finding_row(const workflow::TargetFinding& finding, bool doppler) {
@@ -75,8 +75,8 @@ ReportTable findings_table(const workflow::PulseReport& made) {
   const bool doppler = made.doppler();
   ReportTable table{"Targets", {"Target", "Azimuth (deg)", "Range (m)"}, {}};
   std::vector<std::string>& columns = table.columns;
-  if (doppler) columns.insert(columns.end(), {"Doppler (Hz)", "Doppler as seen (Hz)"});
-  columns.insert(columns.end(), {"Row", "Column", "SNR (dB)", "Detected with probability", "Intervals expected",
+  if (doppler) columns.insert(columns.end(), {"Doppler (Hz)", "Aliased Doppler (Hz)"});
+  columns.insert(columns.end(), {"Row", "Column", "SNR (dB)", "Detection probability", "Intervals expected",
                                  "Intervals found", "Strongest: range error (m)"});
   if (doppler) columns.insert(columns.end(), {"Strongest: Doppler (Hz)", "Strongest: speed (m/s)"});
   columns.emplace_back("Strongest: SNR (dB)");

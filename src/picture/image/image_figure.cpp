@@ -206,7 +206,7 @@ core::Problem remark_on(const NotFinite& samples, const raster::Raster& source) 
       .found(fmt::format("row {}, sample {} (from 0){}", samples.row, samples.column,
                          samples.count > 1 ? ", the first of them" : ""))
       .expected("finite numbers")
-      .hint("sarsim info --statistics says how many such samples there are")
+      .hint("sarsim info --statistics counts such samples")
       .in(source.info().path.string());
 }
 

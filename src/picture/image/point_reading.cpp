@@ -277,9 +277,9 @@ core::Problem no_point(const std::string& message, std::size_t row, std::size_t 
 
 std::variant<PointReading, core::Problem> read_point(const raster::Raster& plane, std::size_t row, std::size_t column,
                                                      const PointOptions& options) {
-  if (row >= plane.rows() || column >= plane.columns()) return no_point("the place is outside the image", row, column);
+  if (row >= plane.rows() || column >= plane.columns()) return no_point("the point is outside the image", row, column);
   const auto found = summit_near(plane, {row, column}, options);
-  if (!found) return no_point("there is nothing but zeros", row, column);
+  if (!found) return no_point("all samples there are zero", row, column);
   const std::size_t peak_row = found->row;
   const std::size_t peak_col = found->column;
 
@@ -313,7 +313,7 @@ std::variant<PointReading, core::Problem> read_point(const raster::Raster& plane
   const auto column_cut = measure(cut_of(along_column, cut_samples / 2.0 + off_row));
   if (!row_cut || !column_cut)
     return no_point("the response has no main lobe with a minimum on both sides", peak_row, peak_col,
-                    "choose a point that stands by itself");
+                    "choose an isolated point");
   reading.along_row = *row_cut;
   reading.along_column = *column_cut;
   return reading;

@@ -164,8 +164,8 @@ TEST(ReadPoint, SaysWhyThereIsNone) {
   };
   EXPECT_THAT(message(constant(1.0F), 50, 0), testing::HasSubstr("outside the image"));
   EXPECT_THAT(message(constant(1.0F), 0, 40), testing::HasSubstr("outside the image"));
-  EXPECT_THAT(message(constant(0.0F), 10, 10), testing::HasSubstr("zeros"));
-  EXPECT_THAT(message(constant(std::nanf("")), 10, 10), testing::HasSubstr("zeros"));
+  EXPECT_THAT(message(constant(0.0F), 10, 10), testing::HasSubstr("zero"));
+  EXPECT_THAT(message(constant(std::nanf("")), 10, 10), testing::HasSubstr("zero"));
   // A plateau that fills the whole cut.
   EXPECT_THAT(message(constant(1.0F, 500, 500), 250, 250), testing::HasSubstr("no main lobe"));
 }

@@ -27,31 +27,31 @@ double if_found(const workflow::MeasuredTarget& target, const Value& value) {
 }
 
 constexpr Column all_columns[] = {
-    {"Azimuth (m)", "Where the scene says that the target is imaged", 3, false,
+    {"Azimuth (m)", "Expected position of the target's image", 3, false,
      [](const workflow::MeasuredTarget& t) { return t.theory.place.azimuth_m; }},
-    {"Range (m)", "Where the scene says that the target is imaged", 3, false,
+    {"Range (m)", "Expected position of the target's image", 3, false,
      [](const workflow::MeasuredTarget& t) { return t.theory.place.range_m; }},
-    {"Offset az. (m)", "The peak measured less the position expected, along azimuth", 4, true,
+    {"Offset az. (m)", "Measured minus expected position, in azimuth", 4, true,
      [](const workflow::MeasuredTarget& t) {
        return if_found(t, [&](const auto& r) { return r.place.azimuth_m - t.theory.place.azimuth_m; });
      }},
-    {"Offset rg. (m)", "The peak measured less the position expected, along range", 4, true,
+    {"Offset rg. (m)", "Measured minus expected position, in range", 4, true,
      [](const workflow::MeasuredTarget& t) {
        return if_found(t, [&](const auto& r) { return r.place.range_m - t.theory.place.range_m; });
      }},
-    {"Width az. (m)", "Between the points 3 dB below the peak, along azimuth", 3, false,
+    {"Width az. (m)", "-3 dB width in azimuth", 3, false,
      [](const workflow::MeasuredTarget& t) { return if_found(t, [](const auto& r) { return r.azimuth.width; }); }},
-    {"Width rg. (m)", "Between the points 3 dB below the peak, along range", 3, false,
+    {"Width rg. (m)", "-3 dB width in range", 3, false,
      [](const workflow::MeasuredTarget& t) { return if_found(t, [](const auto& r) { return r.range.width; }); }},
-    {"PSLR az. (dB)", "The largest sidelobe over the peak, along azimuth", 2, false,
+    {"PSLR az. (dB)", "Peak sidelobe ratio in azimuth", 2, false,
      [](const workflow::MeasuredTarget& t) { return if_found(t, [](const auto& r) { return r.azimuth.pslr_db; }); }},
-    {"PSLR rg. (dB)", "The largest sidelobe over the peak, along range", 2, false,
+    {"PSLR rg. (dB)", "Peak sidelobe ratio in range", 2, false,
      [](const workflow::MeasuredTarget& t) { return if_found(t, [](const auto& r) { return r.range.pslr_db; }); }},
-    {"ISLR az. (dB)", "The energy of the sidelobes over that of the peak, along azimuth", 2, false,
+    {"ISLR az. (dB)", "Integrated sidelobe ratio in azimuth", 2, false,
      [](const workflow::MeasuredTarget& t) { return if_found(t, [](const auto& r) { return r.azimuth.islr_db; }); }},
-    {"ISLR rg. (dB)", "The energy of the sidelobes over that of the peak, along range", 2, false,
+    {"ISLR rg. (dB)", "Integrated sidelobe ratio in range", 2, false,
      [](const workflow::MeasuredTarget& t) { return if_found(t, [](const auto& r) { return r.range.islr_db; }); }},
-    {"SNR (dB)", "The largest peak near the place over the noise of the image", 1, false,
+    {"SNR (dB)", "Peak power over the noise power of the image", 1, false,
      [](const workflow::MeasuredTarget& t) { return t.outside || !std::isfinite(t.snr_db()) ? nothing : t.snr_db(); }},
 };
 
@@ -87,7 +87,7 @@ TargetTable::Row row_of(const workflow::MeasuredTarget& target) {
 TargetTable target_table(const workflow::MeasureReport& report) {
   TargetTable table;
   table.columns = {"Target", "State"};
-  table.meanings = {"Its number in the script", "Whether a peak has the position and the strength expected"};
+  table.meanings = {"Its number in the script", "Whether the peak has the expected position and strength"};
   for (const Column& column : all_columns) {
     table.columns.emplace_back(column.heading);
     table.meanings.emplace_back(column.meaning);
@@ -95,7 +95,7 @@ TargetTable target_table(const workflow::MeasureReport& report) {
   for (const workflow::MeasuredTarget& target : report.targets) table.rows.push_back(row_of(target));
   const workflow::MeasureSummary sum = workflow::summary_of(report);
   table.summary = fmt::format("{} of {} found", sum.found, sum.expected);
-  if (sum.found > 0) table.summary += fmt::format(", at most {:.4f} m from their places", sum.farthest_m);
+  if (sum.found > 0) table.summary += fmt::format(", at most {:.4f} m position error", sum.farthest_m);
   if (sum.outside > 0) table.summary += fmt::format("; {} outside the image", sum.outside);
   return table;
 }

@@ -23,7 +23,7 @@ struct TargetTable {
   std::vector<std::string> columns;   ///< Headings with units.
   std::vector<std::string> meanings;  ///< Of the columns, a sentence each.
   std::vector<Row> rows;
-  std::string summary;  ///< "23 of 24 found, at most 0.02 m from their places"
+  std::string summary;  ///< "23 of 24 found, at most 0.02 m position error"
 };
 
 /// The table of a report: offsets are found minus expected, signed.

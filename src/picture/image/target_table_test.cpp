@@ -69,7 +69,7 @@ TEST(TargetTable, SaysWhyATargetHasNoNumbers) {
   }
   EXPECT_TRUE(table.rows[0].inside && table.rows[1].inside);
   EXPECT_FALSE(table.rows[2].inside || table.rows[3].inside);
-  EXPECT_EQ(table.summary, "1 of 2 found, at most 0.2503 m from their places; 1 outside the image");
+  EXPECT_EQ(table.summary, "1 of 2 found, at most 0.2503 m position error; 1 outside the image");
 }
 
 TEST(TargetTable, IsTextForSpreadsheets) {

@@ -70,7 +70,7 @@ FocusedPixels focused(workflow::FocusPipeline begun, const Making& making) {
 void add_targets(FocusedPixels& pixels, const Making& making) {
   const std::size_t count = making.request.scene->targets.size();
   if (count > max_ringed_targets) {
-    pixels.image.problems.push_back(core::note("there are too many targets for rings")
+    pixels.image.problems.push_back(core::note("there are too many targets to mark")
                                         .found(std::to_string(count))
                                         .expected(fmt::format("at most {}", max_ringed_targets)));
     return;
@@ -214,7 +214,7 @@ LiveEngine::~LiveEngine() = default;
 LiveImage LiveEngine::make(const LiveRequest& request, const core::StopFlag& stop, const Coarse& coarse) {
   const double begin_s = core::now_s();
   if (!request.scene || request.simulation >= request.scene->simulations.size())
-    throw core::InvalidRequest("the scene stores no recording", "make one under Previously Stored, with New");
+    throw core::InvalidRequest("the scene has no recording", "create one under Recordings, with New");
   const Coarse timed = [&](LiveImage image) {
     image.cost.seconds = core::now_s() - begin_s;
     if (coarse) coarse(std::move(image));

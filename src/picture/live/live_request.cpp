@@ -43,7 +43,7 @@ std::string_view title_of(LiveProduct product) {
     case LiveProduct::profiles: return "Range profiles";
     case LiveProduct::isar: return "Turning target (ISAR)";
     case LiveProduct::doppler: return "Range-Doppler map";
-    case LiveProduct::ppi: return "Search picture (PPI)";
+    case LiveProduct::ppi: return "PPI (search radar)";
   }
   return "";
 }

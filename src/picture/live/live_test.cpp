@@ -201,7 +201,7 @@ TEST(LiveEngineTest, TellsWhereTargetsShouldBe) {
   const LiveImage crowded = made(many, options);
   EXPECT_TRUE(crowded.targets.empty());
   EXPECT_TRUE(std::ranges::any_of(crowded.problems, [](const core::Problem& problem) {
-    return problem.message == "there are too many targets for rings" && problem.found == "501";
+    return problem.message == "there are too many targets to mark" && problem.found == "501";
   }));
 }
 

@@ -242,7 +242,7 @@ Figure footprint_figure(const scene::Scene& scene, const simulate::ResolvedScene
   const BeamOnGround beam(resolved, seen, map);
   Figure figure;
   figure.title = "footprint of " + seen.name;
-  figure.note = fmt::format("Half the power of the beam's middle, one way, on {}", map.ground_words());
+  figure.note = fmt::format("Half-power (-3 dB) contour of the beam, one way, on {}", map.ground_words());
   FigurePanel& panel = figure.panels.emplace_back();
   map.name_axes(panel);
   for (std::size_t i = 0; i < outlines; ++i) {
@@ -253,8 +253,8 @@ Figure footprint_figure(const scene::Scene& scene, const simulate::ResolvedScene
     if (has_any(outline)) panel.curves.push_back(std::move(outline));
   }
   if (panel.curves.empty())
-    throw core::InvalidRequest(fmt::format("the beam of {} does not meet {}", seen.name, map.ground_words()),
-                               "turn it down, or choose other times with --time");
+    throw core::InvalidRequest(fmt::format("the beam of {} does not intersect {}", seen.name, map.ground_words()),
+                               "point it lower, or choose other times with --time");
   panel.curves.push_back(spots_of(beam, "middle of the beam", Role::curve_3, times));
   mark_targets(panel, map, targets_m);
   fit_map(panel, 0.025, 0.5 * half_height_line);

@@ -77,7 +77,9 @@ class AsciiGrid {
             .expected("ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, NODATA_value")
             .hint("cells must have one size in latitude and longitude");
       if (entry_[known])
-        return fault(fmt::format("{} stands twice", keys[known])).found(core::quoted_word(key)).expected("one of each");
+        return fault(fmt::format("{} appears twice", keys[known]))
+            .found(core::quoted_word(key))
+            .expected("one of each");
       const std::string_view value = word();
       entry_[known] = core::parse_number(value);
       if (!entry_[known])

@@ -91,7 +91,7 @@ class PgmHeader {
 
   void take_number(std::string_view key, std::string_view value, std::optional<double>& number) {
     if (number) {
-      problem_ = fault(fmt::format("{} stands twice in the header", key))
+      problem_ = fault(fmt::format("{} appears twice in the header", key))
                      .found(core::quoted_word(value))
                      .expected("one value");
       return;

@@ -72,7 +72,7 @@ TEST(ReadGeoid, RefusesBrokenPictures) {
   EXPECT_EQ(problem_of(replaced(good, "0.003", "-0.003")).message, "Scale is not above 0");
   EXPECT_EQ(problem_of(replaced(good, "0.003", "nan")).message, "Scale is not a number");
   EXPECT_EQ(problem_of(replaced(good, "0.003", "1e308")).message, "no geoid is so high (row 1, column 1)");
-  EXPECT_EQ(problem_of(replaced(good, "# Scale", "# Offset 3\n# Scale")).message, "Offset stands twice in the header");
+  EXPECT_EQ(problem_of(replaced(good, "# Scale", "# Offset 3\n# Scale")).message, "Offset appears twice in the header");
   EXPECT_EQ(problem_of(replaced(good, "65535", "255")).message, "the pixels of the PGM do not have 16 bits");
   EXPECT_EQ(problem_of(replaced(good, "12 7", "7 12")).message,
             "the picture does not cover the Earth from pole to pole");
@@ -177,7 +177,7 @@ TEST(ReadGeoid, RefusesBrokenAsciiGrids) {
   EXPECT_EQ(problem_of(replaced(good, "xllcorner 7\n", "")).message, "the place of the grid is not clear");
   EXPECT_EQ(problem_of(replaced(good, "xllcorner 7\n", "xllcorner 7\nxllcenter 7\n")).message,
             "the place of the grid is not clear");
-  EXPECT_EQ(problem_of(replaced(good, "NROWS 2\n", "nrows 2 NRows 2\n")).message, "nrows stands twice");
+  EXPECT_EQ(problem_of(replaced(good, "NROWS 2\n", "nrows 2 NRows 2\n")).message, "nrows appears twice");
   EXPECT_EQ(problem_of(replaced(good, "cellsize 1\n", "cellsize one\n")).message, "cellsize is not a number");
 }
 

@@ -104,7 +104,7 @@ core::Problems contradicted_hints(const Raster& raster, const RasterHints& hints
   if (hints.columns > 0 && hints.columns != info.columns)
     problems.push_back(file_problem(path, "the file has another number of columns", fmt::format("{}", info.columns),
                                     fmt::format("{}, as was said", hints.columns),
-                                    "leave the number out: the file says it itself"));
+                                    "leave the number out: the file contains it"));
   const auto compare = [&](const char* what, double found, double said) {
     constexpr double share = 1e-9;
     if (!info.counts || !(found > 0.0 && said > 0.0) || std::abs(found - said) <= share * said) return;

@@ -385,7 +385,7 @@ std::string owner_text(const std::vector<Journal>& journals, RowRange missing) {
   for (const Journal& journal : journals) {
     const RowRange range = journal.head.range;
     if (missing.first >= range.first && missing.first < range.end())
-      return fmt::format("part {} has not finished; go on with it by --resume", journal.head.part);
+      return fmt::format("part {} has not finished; continue it with --resume", journal.head.part);
   }
   return "no part of them is here; run it, or bring its files here";
 }

@@ -143,7 +143,7 @@ void PartRun::expect_free(const Journal& journal) {
     problem.message =
         own ? fmt::format("part {} is being made by another process ({})", part, journal.head.maker)
             : fmt::format("part {} overlaps part {}, which is being made ({})", task_.words, part, journal.head.maker);
-    problem.hint = own ? "wait for it, or end it and go on with --resume"
+    problem.hint = own ? "wait for it, or end it and continue with --resume"
                        : "wait for it, or choose parts that do not share pulses";
     throw core::RetryableError({problem});
   }
@@ -152,7 +152,7 @@ void PartRun::expect_free(const Journal& journal) {
     problem.message =
         own ? fmt::format("part {} was begun already: {} of its pulses are there", part, rows)
             : fmt::format("part {} overlaps part {}, of which {} pulses are there", task_.words, part, rows);
-    problem.hint = fmt::format("go on with --resume, or delete the folder {} to begin anew", folder_.string());
+    problem.hint = fmt::format("continue with --resume, or delete the folder {} to begin anew", folder_.string());
     throw core::InvalidRequest({problem});
   }
   if (own) journal_ = core::JournalFile(std::move(file));

@@ -21,7 +21,7 @@ core::Problem unusable_sample(const std::string& source, std::size_t row, std::s
                                 : fmt::format("row {}, sample {} (from 0) is too large to compute with", row, column),
                       fmt::format("{} + {}j V", value.real(), value.imag()),
                       fmt::format("finite numbers, up to {:g} V", largest_usable_v),
-                      "set it to 0 or record again; sarsim info --statistics says how many such samples there are");
+                      "set it to 0 or record again; sarsim info --statistics counts such samples");
 }
 
 }  // namespace sarsim::raster

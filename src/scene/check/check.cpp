@@ -53,12 +53,12 @@ void check_surfaces_together(Findings& findings, const std::vector<Surface>& sur
     points += more;
     if (points <= largest_surface_m2) continue;
     findings.about("surface", i);
-    findings.error("corner_m", {.id = "surfaces.too-large",
-                                .message = "the surfaces together are too large to be filled with points, one per "
-                                           "square metre",
-                                .found = value_text(points, "points") + " up to this one",
-                                .expected = value_text(largest_surface_m2, "points") + " or less of all surfaces",
-                                .hint = "Corners are given in metres."});
+    findings.error("corner_m",
+                   {.id = "surfaces.too-large",
+                    .message = "the surfaces together are too large to be sampled at one point per square metre",
+                    .found = value_text(points, "points") + " up to this one",
+                    .expected = value_text(largest_surface_m2, "points") + " or less of all surfaces",
+                    .hint = "Corners are given in metres."});
     return;
   }
 }

@@ -87,10 +87,10 @@ void check_points_are_even(Findings& findings, const FunctionRule& rule, std::si
       {.id = "function.not-even",
        .message = fmt::format("the points of the {} are not evenly spaced: an MFILTER path does not pass through them",
                               title(rule, part)),
-       .found = fmt::format("x = {:.9g} at point {}, {:.3g} spacings from its even place", knots[worst].x, worst + 1,
+       .found = fmt::format("x = {:.9g} at point {}, {:.3g} spacings from its even position", knots[worst].x, worst + 1,
                             farthest),
        .expected = fmt::format("points {:.9g} apart, within {:g} %", spacing, 100.0 * even_within),
-       .hint = "Take CUBIC, which goes through points at any spacing, or give the points at even spacing."});
+       .hint = "Use CUBIC, which passes through points at any spacing, or give the points at even spacing."});
 }
 
 bool check_not_empty(Findings& findings, const FunctionRule& rule, std::size_t part,

@@ -191,7 +191,7 @@ class EndRules {
     const std::string name = part.empty() ? std::string(what) : fmt::format("{} {}", what, part);
     findings_.warning(Consequence::surprise, field,
                       {.id = "function.never-met",
-                       .message = fmt::format("most of the {} is never met: a pulse lasts from 0 to 1", name),
+                       .message = fmt::format("most of the {} is never used: a pulse lasts from 0 to 1", name),
                        .found = fmt::format("points from {:g} to {:g}, {:.3g} % of them within", first, last,
                                             100.0 * met / (last - first)),
                        .expected = "fractions of the pulse width, from 0 to 1",

@@ -47,7 +47,7 @@ TEST(CheckFunctionEnds, TellsOfPointsThatAPulseNeverMeets) {
   scene.radars[0].envelope = Radar::Envelope::user;
   scene.radars[0].envelope_gain.part[0] = points({{0, 1}, {50, 0.7}, {100, 0.4}});
   const core::Problem problem = expect_warning(scene, {"radar", 0, "envelope_gain"});
-  EXPECT_THAT(problem.message, HasSubstr("most of the pulse envelope is never met"));
+  EXPECT_THAT(problem.message, HasSubstr("most of the pulse envelope is never used"));
   EXPECT_THAT(problem.found, HasSubstr("points from 0 to 100, 1 % of them within"));
   scene.radars[0].envelope_gain.part[0] = points({{-0.2, 1}, {0.5, 0.7}, {1.5, 0.4}});
   EXPECT_TRUE(check(scene).empty());

@@ -305,7 +305,7 @@ void check_tips(Findings& findings, const PlatformChains& chains, const Platform
   if (!(tip_mps > fastest_mps)) return;
   findings.warning(Consequence::surprise, "rotation_rate",
                    {.id = "rotation.too-fast",
-                    .message = "the rotation carries a target faster than blades and wheels turn",
+                    .message = "the rotation rate of a target exceeds that of any rotor or wheel",
                     .found = fmt::format("{:.6g} m/s", tip_mps),
                     .expected = fmt::format("up to {:g} m/s", fastest_mps),
                     .hint = "300 turns a minute are 1800 deg/s."});

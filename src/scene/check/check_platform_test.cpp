@@ -154,7 +154,7 @@ TEST(CheckFunctions, WarnOfUnevenPointsThatALowPassFilterMisses) {
   const core::Problem problem = expect_warning(scene, {"platform", 1, "trajectory_m"});
   EXPECT_EQ(problem.message,
             "the points of the trajectory X are not evenly spaced: an MFILTER path does not pass through them");
-  EXPECT_EQ(problem.found, "x = 2 at point 3, 1.4 spacings from its even place");
+  EXPECT_EQ(problem.found, "x = 2 at point 3, 1.4 spacings from its even position");
   EXPECT_EQ(problem.expected, "points 3.33333333 apart, within 5 %");
   EXPECT_THAT(problem.hint, testing::HasSubstr("CUBIC"));
   expect_warning(with_low_pass_trajectory({0.0, 0.3, 0.67, 1.0}), {"platform", 1, "trajectory_m"});

@@ -154,7 +154,7 @@ void check_hanning(Findings& findings, const Radar& radar) {
                     .message = "a Hanning window with the constant 1 has no effect: all of its weights are 1",
                     .found = "1",
                     .expected = "0, the Hann window (side lobes of -31.5 dB), to 0.5",
-                    .hint = "Write RECT if no weighting is wanted."});
+                    .hint = "Write RECT for no weighting."});
 }
 
 void check_oversampling(Findings& findings, const Simulation& simulation, const Radar& radar) {
@@ -170,12 +170,12 @@ void check_oversampling(Findings& findings, const Simulation& simulation, const 
                       .found = found,
                       .expected = fmt::format("about {}", value_text(1.25 * bandwidth_hz, "Hz")),
                       .hint = "Scripts give bandwidths and sampling frequencies in GHz. The file grows with the ratio "
-                              "and holds no more information."});
+                              "and contains no more information."});
   else if (ratio < min_oversampling && ratio >= 1.0 - 1e-9)
     findings.note("sample_rate_hz",
                   {.id = "sampling.hardly-above-bandwidth",
-                   .message = "the sampling frequency hardly exceeds the bandwidth of the pulse: the skirts of its "
-                              "spectrum fold, and interpolation in range (focus, measure) is off by a few per cent",
+                   .message = "the sampling frequency only just exceeds the pulse bandwidth: the spectral skirts "
+                              "alias, and range interpolation (focus, measure) has errors of a few per cent",
                    .found = found,
                    .expected = fmt::format("{} or more", value_text(1.2 * bandwidth_hz, "Hz"))});
 }
@@ -194,7 +194,7 @@ void check_kept_length(Findings& findings, const Simulation& simulation, const R
   findings.warning(
       Consequence::false_signal, "width_factor",
       {.id = "band-limited-pulse.cut",
-       .message = "the kept length cuts the band-limited pulse off, which is then no longer band-limited",
+       .message = "the kept length truncates the band-limited pulse, which is then no longer band-limited",
        .found = value_text(simulation.width_factor, ""),
        .expected = fmt::format("0 or {:.1f}, which keep all of it{}, or an over-sampling factor of 1", wanted,
                                options.profile == Profile::classic ? " (0 with the physical profile only)" : ""),
@@ -207,7 +207,7 @@ void check_single_precision(Findings& findings, const Simulation& simulation, co
   if (values_of(simulation.format) != SampleValues::volts) return;
   if (options.tolerance < of_a_float)
     findings.note("format", {.id = "tolerance.single-precision",
-                             .message = "the file holds single precision, which is coarser than the tolerance",
+                             .message = "the file stores single precision, which is coarser than the tolerance",
                              .found = fmt::format("a tolerance of {:.3g}", options.tolerance),
                              .expected = fmt::format("{:.0e} or more", of_a_float),
                              .hint = "'sarsim run --double' writes double precision."});
@@ -228,7 +228,7 @@ void check_single_pulse(Findings& findings, const Simulation& simulation, const 
   findings.warning(
       Consequence::lost_signal, "time_end_s",
       {.id = "azimuth-window.single-pulse",
-       .message = "the azimuth window holds a single pulse: nothing can be focused, and no Doppler measured",
+       .message = "the azimuth window contains a single pulse, too few for focusing or Doppler measurement",
        .found = fmt::format("{} at a PRF of {}", value_text(window_s, "s"),
                             value_text(1.0 / repetition.mean_interval_s(), "Hz")),
        .expected = "many pulses, or a window of no length for one",

@@ -38,7 +38,7 @@ void check_user_pulse(Findings& findings, const Radar& radar) {
     findings.error("pulse_iq", {.id = "pulse.zero",
                                 .message = "the user-defined pulse is zero throughout",
                                 .found = "only zeros",
-                                .expected = "a pulse that transmits something"});
+                                .expected = "a pulse that is not zero everywhere"});
 }
 
 void check_modulation(Findings& findings, const Radar& radar) {
@@ -75,7 +75,7 @@ void check_pulse_envelope(Findings& findings, const Radar& radar) {
     findings.error("envelope_gain", {.id = "pulse.zero-envelope",
                                      .message = "the pulse envelope is zero throughout",
                                      .found = "only zeros",
-                                     .expected = "an envelope that lets something pass"});
+                                     .expected = "an envelope that is not zero everywhere"});
 }
 
 // Entries of a list whose x is ignored: every one has to be above zero.
@@ -135,13 +135,14 @@ void check_antenna(Findings& findings, std::string_view field, std::string_view 
     const std::vector<core::Knot>& knots = antenna.gain_db.part[i].knots;
     constexpr double turn_deg = 360.0 + 1e-9;
     if (knots.size() < 2 || knots.back().x - knots.front().x <= turn_deg) continue;
-    findings.warning(Consequence::surprise, field,
-                     {.id = "antenna-cut.more-than-a-turn",
-                      .message = fmt::format("the points of the {} {} are more than a turn: some angles have two gains",
-                                             name, cut_parts[i]),
-                      .found = fmt::format("{:g} to {:g} deg", knots.front().x, knots.back().x),
-                      .expected = "angles of 360 deg together, as -180 to 180",
-                      .hint = "Of two gains that counts whose angle is between -180 and 180 deg."});
+    findings.warning(
+        Consequence::surprise, field,
+        {.id = "antenna-cut.more-than-a-turn",
+         .message = fmt::format("the points of the {} {} cover more than 360 deg: some angles have two gains", name,
+                                cut_parts[i]),
+         .found = fmt::format("{:g} to {:g} deg", knots.front().x, knots.back().x),
+         .expected = "angles of 360 deg together, as -180 to 180",
+         .hint = "Of two gains, the one between -180 and 180 deg is used."});
   }
 }
 
@@ -166,7 +167,7 @@ void check_receiver(Findings& findings, const Radar& radar) {
     findings.error("window_gain", {.id = "window.zero",
                                    .message = "the matched-filter window is zero throughout",
                                    .found = "only zeros",
-                                   .expected = "a window that lets something pass"});
+                                   .expected = "a window that is not zero everywhere"});
   const bool controlled = radar.stc == Radar::Stc::user;
   const bool sound_control = check_function(
       findings, {.field = "stc_gain", .what = "sensitivity-time control", .parts = single_part, .used = controlled},
@@ -175,7 +176,7 @@ void check_receiver(Findings& findings, const Radar& radar) {
     findings.error("stc_gain", {.id = "stc.zero",
                                 .message = "the sensitivity-time control is zero throughout",
                                 .found = "only zeros",
-                                .expected = "a gain that lets something pass"});
+                                .expected = "a gain that is not zero everywhere"});
 }
 
 }  // namespace

@@ -71,12 +71,12 @@ radar::PulseRange check_pulses(Findings& findings, const Window& window, const r
   findings.error(
       "time_end_s",
       {.id = "azimuth-window.no-pulse",
-       .message = "no pulse leaves within the azimuth window",
+       .message = "no pulse is sent within the azimuth window",
        .found = fmt::format("{} to {}", value_text(window.time_start_s, "s"), value_text(window.time_end_s, "s")),
-       .expected = fmt::format("a window that holds the send time of a pulse, for instance {} or {}",
+       .expected = fmt::format("a window that contains the transmit time of a pulse, for instance {} or {}",
                                value_text(repetition.send_time_s(pulses.first - 1), "s"),
                                value_text(repetition.send_time_s(pulses.first), "s")),
-       .hint = "Pulse 0 leaves at 0 s."});
+       .hint = "Pulse 0 is sent at 0 s."});
   return {};
 }
 
@@ -182,7 +182,7 @@ void check_converter(Findings& findings, const Simulation& simulation) {
   if (simulation.bits > 53)
     findings.warning(Consequence::surprise, "bits",
                      {.id = "bits.beyond-exact",
-                      .message = "numbers are exact to 53 bits only; the lowest bits of larger ones mean nothing",
+                      .message = "numbers are exact to 53 bits only; the lowest bits of larger ones are meaningless",
                       .found = std::to_string(simulation.bits),
                       .expected = "up to 53"});
 }
@@ -207,10 +207,10 @@ void check_bandwidth(Findings& findings, const Simulation& simulation, const Rad
        .message = "the sampling frequency is below the bandwidth of the pulse",
        .found = value_text(simulation.sample_rate_hz, "Hz"),
        .expected = fmt::format("at least {}{}", value_text(*bandwidth_hz, "Hz"),
-                               radar.pulse == Radar::Pulse::user ? ", which holds 90 % of its energy" : ""),
-       .hint = folds ? fmt::format("The outer {} of the spectrum fold back onto the rest (aliasing) and show as false "
-                                   "or smeared echoes.",
-                                   value_text(beyond_hz, "Hz"))
+                               radar.pulse == Radar::Pulse::user ? ", which contains 90 % of its energy" : ""),
+       .hint = folds ? fmt::format(
+                           "The outer {} of the spectrum alias back into the band and show as false or smeared echoes.",
+                           value_text(beyond_hz, "Hz"))
                      : fmt::format("The outer {} of the spectrum are cut off, which costs range resolution.",
                                    value_text(beyond_hz, "Hz"))});
 }
@@ -235,8 +235,7 @@ void check_ranges(Findings& findings, const Simulation& simulation, const Radar&
        .message = "the slant range window reaches beyond the unambiguous range",
        .found = value_text(simulation.range_end_m, "m"),
        .expected = fmt::format("up to {:.6g} m, c/2 times the shortest pulse interval", unambiguous_m),
-       .hint = "Echoes from there come back after the next pulse has left, among the echoes of that one. From "
-               "orbit that is usual."});
+       .hint = "Echoes from there arrive after the next pulse is sent, among its echoes. From orbit this is normal."});
 }
 
 void check_burst(Findings& findings, const Radar& radar, const radar::PulseRange& pulses) {
@@ -245,7 +244,7 @@ void check_burst(Findings& findings, const Radar& radar, const radar::PulseRange
   const std::int64_t beyond = radar::floor_divide(pulses.last + 1, length);
   if (pulses.count() == 0 || first < beyond) return;
   findings.error("time_end_s", {.id = "bursts.none-complete",
-                                .message = "the azimuth window holds no complete burst of frequency steps",
+                                .message = "the azimuth window contains no complete burst of frequency steps",
                                 .found = fmt::format("pulses {} to {}", pulses.first, pulses.last),
                                 .expected = fmt::format(
                                     "all {0} pulses of a burst; a burst begins at each multiple of {0}", length)});
@@ -284,14 +283,13 @@ void check_profile(Findings& findings, const Radar& radar, const radar::PulseRan
     findings.warning(
         Consequence::false_signal, "processing",
         {.id = "profiles.shorter-than-pulse",
-         .message =
-             "the frequency steps are wider apart than one over the pulse width: a profile is shorter than the pulse",
+         .message = "the frequency step exceeds 1/pulse width: the unambiguous profile is shorter than the pulse",
          .found = fmt::format("profile of {:.4g} m, pulse of {:.4g} m",
                               radar::range_of_cycle(step_hz, core::exact_light_speed_mps),
                               radar::range_of(radar.pulse_width_s, core::exact_light_speed_mps)),
          .expected = fmt::format("steps up to {} or a pulse up to {}", value_text(1.0 / radar.pulse_width_s, "Hz"),
                                  value_text(1.0 / step_hz, "s")),
-         .hint = "Targets of one range gate fold onto each other."});
+         .hint = "Targets of one range gate alias onto each other."});
 }
 
 }  // namespace
@@ -332,7 +330,7 @@ void check_geometry_table(Findings& findings, NameCheck& radars, const Scene& sc
   check_file(findings, table.file);
   if (!scene.clouds.empty())
     findings.note(
-        "", {.id = "geometry.no-clouds", .message = "the table lists targets alone: points of clouds have no columns"});
+        "", {.id = "geometry.no-clouds", .message = "the table lists targets only: cloud points have no columns"});
   const auto repetition = index == not_found ? std::nullopt : repetition_of(scene.radars[index]);
   if (window_sound && repetition) check_pulses(findings, window_of(table), *repetition);
 }

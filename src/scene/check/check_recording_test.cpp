@@ -213,7 +213,7 @@ TEST(CheckRecording, WarnsOfSamplingFarBelowTheBandOfAUserPulse) {
   scene.simulations[0].sample_rate_hz = 10e6;
   const core::Problem problem = expect_warning(scene, simulation_field("sample_rate_hz"));
   EXPECT_THAT(problem.message, HasSubstr("below the bandwidth of the pulse"));
-  EXPECT_THAT(problem.expected, HasSubstr("which holds 90 % of its energy"));
+  EXPECT_THAT(problem.expected, HasSubstr("which contains 90 % of its energy"));
   scene.simulations[0].sample_rate_hz = 100e6;
   EXPECT_TRUE(check(scene).empty());
 }
@@ -224,7 +224,7 @@ TEST(CheckRecording, WarnsOfSamplingBelowTheBandwidthAndSaysWhatFolds) {
   EXPECT_EQ(problem.found, "80 MHz");
   EXPECT_EQ(problem.expected, "at least 100 MHz");
   EXPECT_THAT(problem.hint, HasSubstr("outer 20 MHz"));
-  EXPECT_THAT(problem.hint, HasSubstr("aliasing"));
+  EXPECT_THAT(problem.hint, HasSubstr("alias back"));
   expect_single(with_simulation([](Simulation& s) { s.sample_rate_hz = 100e6; }), core::Severity::note,
                 simulation_field("sample_rate_hz"));
 }
@@ -254,7 +254,7 @@ TEST(CheckRecording, WarnsOfAWindowBeyondTheUnambiguousRange) {
   EXPECT_TRUE(check(until(499654.0)).empty());
   const core::Problem problem = expect_warning(until(499655.0), simulation_field("range_end_m"));
   EXPECT_THAT(problem.expected, HasSubstr("499654 m"));
-  EXPECT_THAT(problem.hint, HasSubstr("after the next pulse has left"));
+  EXPECT_THAT(problem.hint, HasSubstr("after the next pulse is sent"));
 }
 
 TEST(CheckRecording, WarnsOfAWindowThatStartsBehindTheRadar) {

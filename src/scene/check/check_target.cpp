@@ -15,7 +15,7 @@ void check_reflectivity(Findings& findings, double rcs_m2, const TargetTraits& t
   if (rcs_m2 < 0.0)
     findings.warning(Consequence::lost_signal, "rcs_m2",
                      {.id = "target.negative-rcs",
-                      .message = "the radar cross-section is negative, which counts as zero: the target is not seen",
+                      .message = "the radar cross-section is negative and counts as zero: the target gives no echo",
                       .found = value_text(rcs_m2, "m2"),
                       .expected = "a number above 0",
                       .hint = rcs_m2 > -100.0 ? fmt::format("It is in m2, not in dBsm: {0:g} dBsm are {1:.4g} m2.",
@@ -41,7 +41,7 @@ void check_cloud(Findings& findings, NameCheck& platforms, const Cloud& cloud) {
   check_reflectivity(findings, cloud.rcs_m2, cloud.traits);
   if (cloud.file.empty())
     findings.error("file", {.id = "cloud.no-file",
-                            .message = "the cloud has no file: its points stand in a table",
+                            .message = "the cloud has no file: its points are read from a table",
                             .expected = "the name of an NPY, CSV or HDF5 file"});
 }
 
@@ -61,13 +61,13 @@ void check_surface(Findings& findings, NameCheck& platforms, const Surface& surf
   const double area_m2 = 0.5 * core::norm(core::cross(b - a, c - a));
   if (area_m2 > largest_surface_m2)
     findings.error("corner_m", {.id = "surface.too-large",
-                                .message = "the surface is too large to be filled with points, one per square metre",
+                                .message = "the surface is too large to be sampled at one point per square metre",
                                 .found = value_text(area_m2, "m2"),
                                 .expected = value_text(largest_surface_m2, "m2") + " or less",
                                 .hint = "Corners are given in metres."});
   else if (const double points = points_of(surface); points > largest_surface_m2)
     findings.error("corner_m", {.id = "surface.too-long",
-                                .message = "the surface is too long and thin to be filled with points, one per metre",
+                                .message = "the surface is too long and thin to be sampled at one point per metre",
                                 .found = value_text(points, "m") + " long",
                                 .expected = value_text(largest_surface_m2, "m") + " or less",
                                 .hint = "Corners are given in metres."});

@@ -127,7 +127,7 @@ JsonEvent JsonRecords::next_object() {
   const bool done = in_array_ ? take(']') : !first_;
   if (done) {
     skip_blanks();
-    if (!rest_.empty()) return fail("text stands behind the end of the JSON", "the end of the file");
+    if (!rest_.empty()) return fail("unexpected text after the end of the JSON", "the end of the file");
     part_ = Part::done;
     return JsonEvent::end;
   }

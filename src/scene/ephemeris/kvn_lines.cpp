@@ -63,7 +63,7 @@ void KvnBlock::add(const KvnLine& line, bool strict, FileProblems& problems) {
   }
   const auto same = [&](const KvnLine& other) { return other.key == line.key; };
   if (std::ranges::any_of(lines_, same))
-    problems.error(line.line, {"the keyword stands twice in one block", std::string(line.key), "each keyword once",
+    problems.error(line.line, {"the keyword appears twice in one block", std::string(line.key), "each keyword once",
                                "remove one of the lines"});
   else
     lines_.push_back(line);

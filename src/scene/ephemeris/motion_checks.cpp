@@ -43,7 +43,7 @@ Fault fault_of_name(std::string_view what, std::string_view value) {
   const bool fits = !value.empty() && value.size() <= longest_name && core::trimmed(value) == value &&
                     std::ranges::none_of(value, is_control) && !value.ends_with(']');
   if (fits) return std::nullopt;
-  return core::error(fmt::format("{} cannot stand in a CCSDS message", what))
+  return core::error(fmt::format("{} is not allowed in a CCSDS message", what))
       .found(core::clipped(value))
       .expected(
           fmt::format("1 to {} characters on one line, without blanks at the ends and ] at the end", longest_name))

@@ -87,7 +87,7 @@ void OmmRecord::set(OmmKey key, std::string value, std::string_view at, std::str
   if (value.empty()) return quoted && is_convention(key) ? miss_value(key, at, problems) : void();
   Value& kept = values_[static_cast<std::size_t>(key)];
   if (!kept.text.empty())
-    problems.error(at, {fmt::format("{} stands twice in one message", word_of(key).word), core::clipped(value),
+    problems.error(at, {fmt::format("{} appears twice in one message", word_of(key).word), core::clipped(value),
                         "each keyword once", ""});
   if (!unit.empty() && !core::equal_ignoring_case(unit, word_of(key).unit))
     problems.error(at, {fmt::format("{} has another unit than it should", word_of(key).word), core::clipped(unit),

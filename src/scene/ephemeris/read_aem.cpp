@@ -116,8 +116,8 @@ class AemReader {
     if (line.line == "DATA_START")
       part_ = Part::states;
     else
-      problems_.error(line.line, {"the line stands outside of all blocks", core::clipped(line.line),
-                                  "META_START or DATA_START", ""});
+      problems_.error(line.line,
+                      {"the line is outside all blocks", core::clipped(line.line), "META_START or DATA_START", ""});
   }
 
   void begin_metadata(const KvnLine& line) {

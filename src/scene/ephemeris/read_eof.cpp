@@ -101,7 +101,7 @@ class EofReader {
   }
 
   void begin_state() {
-    if (in_state_) problems_.error(scan_.name(), {"an OSV stands in another one", "", "one behind the other", ""});
+    if (in_state_) problems_.error(scan_.name(), {"an OSV within another one", "", "one behind the other", ""});
     in_state_ = true;
     at_ = scan_.name();
     tai_ = {};
@@ -119,12 +119,12 @@ class EofReader {
   void take_field(std::string_view name, std::string_view text) {
     if (name == "Quality" && text != "NOMINAL" && !problems_.again(quality_))
       quality_ = problems_.warning(text, {"the quality of a state is not nominal", core::clipped(text), "NOMINAL",
-                                          "the orbit may be coarse around this time"});
+                                          "the orbit may be inaccurate around this time"});
     if (name == "TAI") tai_ = text;
     for (std::size_t i = 0; i < osv_names.size(); ++i) {
       if (name != osv_names[i]) continue;
       if (!fields_[i].empty())
-        problems_.error(text, {fmt::format("{} stands twice in one OSV", name), core::clipped(text), "each once", ""});
+        problems_.error(text, {fmt::format("{} appears twice in one OSV", name), core::clipped(text), "each once", ""});
       fields_[i] = text;
     }
   }

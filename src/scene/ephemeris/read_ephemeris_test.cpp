@@ -217,7 +217,7 @@ TEST(ReadEphemeris, RefusesWrongMetadataOfAnOem) {
   EXPECT_EQ(problem_of(once, "REF_FRAME = ITRF2014\n", "").message, "REF_FRAME is missing");
   EXPECT_EQ(problem_of(once, "TIME_SYSTEM = UTC\n", "").message, "TIME_SYSTEM is missing");
   EXPECT_EQ(problem_of(once, "CENTER_NAME = EARTH\n", "CENTER_NAME = EARTH\nCENTER_NAME = EARTH\n").message,
-            "the keyword stands twice in one block");
+            "the keyword appears twice in one block");
   EXPECT_EQ(problem_of(once, "INTERPOLATION_DEGREE = 7", "INTERPOLATION_DEGREE = 7.5").message,
             "the degree of interpolation is not a degree");
   EXPECT_EQ(problem_of(once, "VERS = 2.0", "VERS = 4.0").message, "this version of the message is not read");
@@ -282,7 +282,7 @@ TEST(ReadEphemeris, AsksWhichSatelliteIsMeant) {
   text.replace(text.rfind("SENTINEL-1A"), 11, "SENTINEL-1B");
   text.replace(text.rfind("2014-016A"), 9, "2016-025A");
   core::Problem problem = problem_in(text);
-  EXPECT_EQ(problem.message, "the file holds 2 satellites, and none was chosen");
+  EXPECT_EQ(problem.message, "the file holds 2 satellites, and none is selected");
   EXPECT_EQ(problem.expected, "one of SENTINEL-1A (2014-016A), SENTINEL-1B (2016-025A)");
   EXPECT_EQ(sound(text, "sentinel-1b").segments[0].states.size(), 3U);
   EXPECT_EQ(sound(text, "2014-016A").segments[0].states.size(), 2U);
@@ -498,7 +498,7 @@ TEST(ReadEphemeris, ReadsTheSameStatesFromEveryFormat) {
   EXPECT_EQ(problem_in(replaced(texts.oem_xml, "<Y_DOT>", "<Y_DOTS>").replace(0, 0, "")).severity,
             core::Severity::error);
   EXPECT_EQ(problem_in(replaced(texts.oem_xml, "<Y_DOT", "<X units=\"km\">5</X><Y_DOT")).message,
-            "X stands twice in one stateVector");
+            "X appears twice in one stateVector");
   EXPECT_EQ(problem_in(replaced(texts.oem_xml, "<REF_FRAME>ITRF</REF_FRAME>", "")).message, "REF_FRAME is missing");
 }
 

@@ -182,7 +182,7 @@ TEST(ReadMeanElements, ReadsYearsFrom1957To2056) {
 
 TEST(ReadMeanElements, AsksWhichSatelliteIsMeant) {
   EXPECT_EQ(problem_in(tle_text).expected, "one of SENTINEL TEST (39634), HIGH ONE (100001)");
-  EXPECT_EQ(problem_in(omm_csv_text).message, "the file holds 2 satellites, and none was chosen");
+  EXPECT_EQ(problem_in(omm_csv_text).message, "the file holds 2 satellites, and none is selected");
   EXPECT_EQ(problem_in(tle_text, "SENTINEL TASTE").hint, "did you mean SENTINEL TEST?");
   EXPECT_EQ(problem_of(tle_text, "HIGH ONE", "SENTINEL TEST", "SENTINEL TEST").message,
             "2 satellites have the name that was chosen");
@@ -214,7 +214,7 @@ TEST(ReadMeanElements, RefusesDamagedLines) {
     EXPECT_EQ(problem_in(tle_with(2, 53, motion)).message, "the mean motion is not what it should be");
   const std::string both = tle_with(1, 1, "1");
   EXPECT_EQ(problem_in(both.substr(0, 70)).message, "the second line of a set is missing");
-  EXPECT_EQ(problem_in(both + both.substr(70)).message, "a second line stands without a first one");
+  EXPECT_EQ(problem_in(both + both.substr(70)).message, "a second line without a first one");
 }
 
 TEST(ReadMeanElements, RefusesDamagedMessages) {

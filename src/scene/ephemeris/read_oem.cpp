@@ -223,7 +223,7 @@ class OemXmlReader {
       for (std::size_t i = 0; i < state_names.size(); ++i) {
         if (name != state_names[i]) continue;
         if (!cells_[i].empty())
-          problems_.error(scan_.text(), {fmt::format("{} stands twice in one stateVector", name),
+          problems_.error(scan_.text(), {fmt::format("{} appears twice in one stateVector", name),
                                          core::clipped(scan_.text()), "each once", ""});
         cells_[i] = scan_.text();
       }

@@ -199,7 +199,7 @@ class Sp3Reader {
     add_pending();
     if (!is_taken(line)) return;
     if (epoch_at_.empty()) {
-      problems_.error(line, {"a position stands before the first epoch", core::clipped(line), "a line '*' first", ""});
+      problems_.error(line, {"a position before the first epoch", core::clipped(line), "a line '*' first", ""});
       hopeless_ = true;
       return;
     }

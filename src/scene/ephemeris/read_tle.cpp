@@ -221,7 +221,7 @@ class TleReader {
     if (is_element_line(line, '1')) {
       first_ = line;
     } else if (is_element_line(line, '2')) {
-      problems_.error(line, {"a second line stands without a first one", core::clipped(line), "a line 1 above it", ""});
+      problems_.error(line, {"a second line without a first one", core::clipped(line), "a line 1 above it", ""});
     } else {
       expect_one_name(line);
       name_ = core::trimmed(line.starts_with("0 ") ? line.substr(2) : line);
@@ -233,7 +233,7 @@ class TleReader {
     if (!name_.empty() && !problems_.again(prose_))
       prose_ = problems_.error(name_, {"the file has the lines of two-line elements, but this one is none of them",
                                        core::clipped(name_), "a name, or a line that begins with 1 or 2",
-                                       fmt::format("remove what stands above '{}'", core::clipped(line))});
+                                       fmt::format("remove the text above '{}'", core::clipped(line))});
   }
 
   void miss_second(std::string_view at) {
@@ -264,7 +264,7 @@ class TleReader {
     }
     if ((first_.size() > tle_length || second.size() > tle_length) && !problems_.again(long_line_))
       long_line_ = problems_.warning(first_.size() > tle_length ? first_ : second,
-                                     {"what stands behind column 69 is ignored", "", "", ""});
+                                     {"text after column 69 is ignored", "", "", ""});
     ElementSet set;
     set.object_name = name_;
     if (TleSet(first_, second, problems_).read(set)) file_.sets.push_back(std::move(set));

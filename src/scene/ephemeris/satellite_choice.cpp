@@ -60,8 +60,8 @@ std::string SatelliteChoice::list() const {
 bool SatelliteChoice::report(FileProblems& problems) const {
   if (wanted_.empty()) {
     if (keys_.size() < 2) return true;
-    problems.error({}, {fmt::format("the file holds {} satellites, and none was chosen", keys_.size()), "",
-                        "one of " + list(), "choose one by its name or number"});
+    problems.error({}, {fmt::format("the file holds {} satellites, and none is selected", keys_.size()), "",
+                        "one of " + list(), "select one by its name or number"});
     return false;
   }
   if (taken_ == 1) return true;

@@ -179,7 +179,7 @@ TEST(WriteAttitude, RefusesWhatCannotBe) {
             "the scene does not lie on the Earth, and this format has positions from its centre only");
   EXPECT_EQ(refused([](Facts& f, Samples&) { f.epoch = utc("2016-12-31T23:59:59.9"); }),
             "a leap second lies among the samples");
-  EXPECT_EQ(refused([](Facts& f, Samples&) { f.object_name = "A\nB"; }), "the name cannot stand in a CCSDS message");
+  EXPECT_EQ(refused([](Facts& f, Samples&) { f.object_name = "A\nB"; }), "the name is not allowed in a CCSDS message");
 }
 
 }  // namespace write_attitude_test

@@ -200,10 +200,10 @@ TEST(WriteMotion, RefusesAnOemWithoutWhatItNeeds) {
   EXPECT_EQ(refused([](MotionFacts& f) { f.epoch = radar::Instant{}; }), "a time is outside of the calendar");
   EXPECT_EQ(refused([](MotionFacts& f) { f.epoch = utc("9999-12-31T23:59:58"); }), "a time is outside of the calendar");
   for (const char* const name : {"", " A", "A ", "A\nB", "A\tB", "A [km]"})
-    EXPECT_EQ(refused([&](MotionFacts& f) { f.object_name = name; }), "the name cannot stand in a CCSDS message");
+    EXPECT_EQ(refused([&](MotionFacts& f) { f.object_name = name; }), "the name is not allowed in a CCSDS message");
   EXPECT_EQ(refused([](MotionFacts& f) { f.object_name = std::string(201, 'x'); }),
-            "the name cannot stand in a CCSDS message");
-  EXPECT_EQ(refused([](MotionFacts& f) { f.object_id.clear(); }), "the identifier cannot stand in a CCSDS message");
+            "the name is not allowed in a CCSDS message");
+  EXPECT_EQ(refused([](MotionFacts& f) { f.object_id.clear(); }), "the identifier is not allowed in a CCSDS message");
   EXPECT_EQ(refused([](MotionFacts& f) { f.interpolation.degree = 17; }),
             "there are too few samples for the interpolation");
   EXPECT_EQ(refused([](MotionFacts& f) {

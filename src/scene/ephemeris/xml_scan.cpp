@@ -99,7 +99,7 @@ XmlEvent XmlScan::take_text() {
   piece_ = core::trimmed(rest_.substr(0, end));
   rest_.remove_prefix(end);
   if (piece_.empty()) return XmlEvent::end;
-  if (open_.empty()) return fail(piece_, "text stands outside of all elements", "XML", "");
+  if (open_.empty()) return fail(piece_, "text outside all elements", "XML", "");
   name_ = without_prefix(open_.back());
   return XmlEvent::text;
 }
@@ -119,7 +119,7 @@ XmlEvent XmlScan::take_tag() {
   while (length < inside.size() && !core::is_blank(inside[length])) ++length;
   if (length == 0) return fail(inside, "a tag has no name", "<name>");
   if (open_.size() >= deepest) return fail(inside, "elements are nested too deeply", "at most 64 levels");
-  if (open_.empty() && any_) return fail(inside, "a second element stands behind the end of the first", "one element");
+  if (open_.empty() && any_) return fail(inside, "a second element after the end of the first", "one element");
   open_.push_back(inside.substr(0, length));
   name_ = without_prefix(open_.back());
   attributes_ = inside.substr(length);

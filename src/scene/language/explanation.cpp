@@ -61,7 +61,7 @@ ExplanationLine line_of(const Found& found) {
 }
 
 std::string next_text(const Explanation& explanation) {
-  return fmt::format("sarsim explain {} says more of one of them", explanation.lines.front().name);
+  return fmt::format("sarsim explain {} tells more about one of them", explanation.lines.front().name);
 }
 
 std::vector<AlternativeExplanation> explained_alternatives(const Found& found) {
@@ -127,23 +127,23 @@ Explanation explained(const PlainTable& table) {
 std::vector<Explanation> general_words() {
   Explanation format;
   format.name = "format";
-  format.meaning = "Tells that the file is a scene of format 2. It stands before the first header, in every file.";
+  format.meaning = "Marks the file as a scene of format 2. It comes before the first header of every file.";
   format.takes = fmt::format("\"{}\"", format_2_mark);
   format.example = fmt::format("format = \"{}\"", format_2_mark);
   format.in_script = "nothing: a script has no mark";
   Explanation include;
   include.name = "include";
   include.meaning =
-      "Other files of format 2 that are read first. Names are relative to the file that states them. Objects are added "
-      "up, and so are the names of [let].";
+      "Other files of format 2 that are read first. Names are relative to the file that states them. Objects and the "
+      "names of [let] of all files are combined.";
   include.takes = "an array of file names, before the first header";
   include.example = "include = [\"ground.toml\"]";
   include.in_script = "nothing: a script is one file";
   Explanation let;
   let.name = "let";
   let.meaning =
-      "Names for values that stand in several places. A value is a number or an expression in quotes, which may use "
-      "other names. Every quantity in quotes may use them; --let NAME=VALUE replaces one.";
+      "Names for values used in several places. A value is a number or an expression in quotes, which may use other "
+      "names. Every quantity in quotes may use them; --let NAME=VALUE replaces one.";
   let.takes = "a table with the header [let]: names of letters, digits and underscores";
   let.example = "[let]\nspeed = \"240 m/s\"\nway = \"speed * 10 s\"";
   let.in_script = "nothing: a script has numbers alone";
@@ -152,7 +152,7 @@ std::vector<Explanation> general_words() {
 
 Explanation overview() {
   Explanation explanation;
-  explanation.meaning = "A scene of format 2 is a TOML file. What can stand in it:";
+  explanation.meaning = "A scene of format 2 is a TOML file. It can contain:";
   for (const Explanation& general : general_words())
     explanation.lines.push_back({general.name, "", first_sentence(general.meaning)});
   for (const PlainTable& table : plain_tables())
@@ -322,7 +322,7 @@ std::optional<Explanation> searched(const std::string& words) {
   if (explanation.pages.size() > max_pages) explanation.pages.resize(max_pages);
   const TradeWord* const meant = trade_word(words, {});
   if (explanation.lines.empty() && explanation.pages.empty() && meant == nullptr) return std::nullopt;
-  explanation.meaning = meant != nullptr ? said_of(words, *meant) : "No field is called so. What has to do with it:";
+  explanation.meaning = meant != nullptr ? said_of(words, *meant) : "No field has this name. Related entries:";
   if (!explanation.lines.empty()) explanation.next = next_text(explanation);
   return explanation;
 }
@@ -367,9 +367,9 @@ Explanation explain(std::string_view word) {
     }
   if (const PlainTable* const table = plain_table(text)) return explained(*table);
   if (const std::vector<Found> found = paths_called(text); !found.empty())
-    return several(text, found, "Several fields are called so:");
+    return several(text, found, "Several fields have this name:");
   if (const std::vector<Found> found = paths_named(text); !found.empty() && !means_another(text, found))
-    return several(text, found, "Several fields are called so:");
+    return several(text, found, "Several fields have this name:");
   if (const std::vector<Found> found = paths_below(text); !found.empty())
     return several(text, found, "A table with these fields:");
   constexpr std::string_view type = ".type";

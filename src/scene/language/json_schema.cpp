@@ -21,7 +21,7 @@ namespace {
 void write_own_keys(core::JsonWriter& json) {
   // tombi takes no schema that says nothing.
   json.key("patternProperties").begin_object().key("^x-").begin_object();
-  json.member("description", "A key of your own, which means nothing to Sarsim.").end_object().end_object();
+  json.member("description", "A key of your own, ignored by Sarsim.").end_object().end_object();
 }
 
 bool stands_below(const std::string& path, const std::string& prefix) { return path.starts_with(prefix + "."); }
@@ -386,8 +386,7 @@ void write_general(core::JsonWriter& json) {
 std::string json_schema() {
   core::JsonWriter json;
   json.begin_object().member("$schema", "http://json-schema.org/draft-04/schema#");
-  json.member("title", "Sarsim scene, format 2")
-      .member("description", "A radar scene: what moves, reflects and looks.");
+  json.member("title", "Sarsim scene, format 2").member("description", "A radar scene: platforms, targets and radars.");
   json.member("type", "object").key("required").begin_array().value("format").end_array();
   write_own_keys(json);
   json.key("properties").begin_object();

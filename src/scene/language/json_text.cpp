@@ -57,11 +57,11 @@ class Writer {
       case ':': return '=';
       case '\n':
       case '\r': return ' ';
-      case '=': tell("'=' stands in a JSON text", "':'"); return ' ';
+      case '=': tell("'=' in a JSON text", "':'"); return ' ';
       case '#': tell("JSON has no comments", "a value, a comma or a bracket"); return ' ';
       default:
         if (depth_ == 0 && c != ' ' && c != '\t') {
-          tell("something stands behind the outermost object", "nothing");
+          tell("unexpected text after the outermost object", "nothing");
           return ' ';
         }
         return c;

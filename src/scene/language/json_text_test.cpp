@@ -100,8 +100,8 @@ TEST(JsonText, HasThePlacesOfTheFile) {
 TEST(JsonText, SaysWhatIsNotJson) {
   const std::string head = R"({"format": "sarsim 2", "target": [)";
   EXPECT_THAT(complaints(head + "{\"rcs\": 1} # comment\n]}"), HasSubstr("JSON has no comments"));
-  EXPECT_THAT(complaints(head + "{\"rcs\"= 1}]}"), HasSubstr("'=' stands in a JSON text"));
-  EXPECT_THAT(complaints(head + "{\"rcs\": 1}]} x"), HasSubstr("something stands behind the outermost object"));
+  EXPECT_THAT(complaints(head + "{\"rcs\"= 1}]}"), HasSubstr("'=' in a JSON text"));
+  EXPECT_THAT(complaints(head + "{\"rcs\": 1}]} x"), HasSubstr("unexpected text after the outermost object"));
   for (const char* const broken : {"{\"rcs\": 1}", "{\"rcs\": }]}", "{\"rcs\" 1}]}", "{\"rcs\": \"1 m2}]}",
                                    "{\"rcs\": nul}]}", "{\"rcs\": 1}, 5]}", "{\"rcs\": 1, \"rcs\": 2}]}"})
     EXPECT_THAT(complaints(head + broken), HasSubstr("error:")) << broken;

@@ -424,7 +424,7 @@ std::optional<double> ObjectReader::carrier_hz() const {
 std::string ObjectReader::remedy(const Leaf& leaf, const std::vector<std::string>& known) const {
   const std::string_view path = leaf.path;
   const std::string_view last = path.substr(path.rfind('.') + 1);
-  if (last == "include" || last == "format") return fmt::format("{} stands before the first header", last);
+  if (last == "include" || last == "format") return fmt::format("{} comes before the first header", last);
   if (last != path && std::ranges::find(known, last) != known.end())
     return fmt::format("'{}' is a field of {}: move it above the header of the table it stands in", last, text_.kind);
   if (std::string meant = trade_remedy(leaf, last); !meant.empty()) return meant;
@@ -443,7 +443,7 @@ std::string ObjectReader::remedy(const Leaf& leaf, const std::vector<std::string
   if (!hint.empty()) return hint;
   if (const TradeWord* const word = entries_ == nullptr ? nearest_trade_word(last, text_.kind) : nullptr)
     return advice_on(*word, leaf, last);
-  return "perhaps the file was written for a newer Sarsim; a name of your own begins with x-";
+  return "your own fields must begin with x-; or the file was written for a newer Sarsim";
 }
 
 void ObjectReader::report_unknown(const Leaf& leaf, const std::string& belongs, const std::vector<std::string>& known) {

@@ -220,7 +220,7 @@ std::string meaning_text(const PathFacts& facts) {
     case PathRole::interpolation:
       if (spec.block->x_ignored) return "Without effect: the values of a list are taken in turn.";
       return fmt::format("How {} runs between its points.", spec.block->y[facts.part].name);
-    case PathRole::file: return fmt::format("{} The points stand in this data file.", spec.tip);
+    case PathRole::file: return fmt::format("{} The points are in this data file.", spec.tip);
     default: return std::string(spec.tip);
   }
 }

@@ -80,8 +80,8 @@ void add_positions(PlainTable& targets) {
                       .quantity = Quantity::length,
                       .on_earth = true,
                       .tip =
-                          "Many targets that are alike but for their position: a row [x, y, z] for each, or "
-                          "{ file = \"FILE\" } with a table of them."};
+                          "Many targets that differ only in position: a row [x, y, z] for each, or { file = \"FILE\" } "
+                          "with a table of them."};
   positions.type = FieldType::vector;
   positions.group = targets.fields.front().spec.group;
   targets.fields.push_back({positions});
@@ -100,7 +100,7 @@ void add_line(PlainTable& platforms) {
   const auto path = std::ranges::find_if(
       fields, [](const PlainField& field) { return field.spec.key == "path" && field.spec.type == FieldType::choice; });
   const auto at = static_cast<std::size_t>(path - fields.begin());
-  path->spec.choices.emplace_back("", first_added_value, "", "straight, at a constant velocity", "line");
+  path->spec.choices.emplace_back("", first_added_value, "", "straight, at constant velocity", "line");
   for (PlainField& field : fields)
     if (field.spec.key == "path.aligned") field.spec.when.among.push_back(first_added_value);
   FieldSpec start{

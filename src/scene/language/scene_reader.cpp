@@ -157,8 +157,8 @@ class SceneReader {
     if (!kind) return report_unknown(anonymous, text);
     if (!text.is_element && anonymous.text_of(text.header).find('.') != std::string_view::npos)
       return anonymous.error(text.header, "",
-                             {"the table stands behind another object", script::shown(anonymous.text_of(text.header)),
-                              "", fmt::format("move it directly below its [[{}]]", text.kind)});
+                             {"the table comes after another object", script::shown(anonymous.text_of(text.header)), "",
+                              fmt::format("move it directly below its [[{}]]", text.kind)});
     if (!text.is_element)
       return anonymous.error(
           text.header, "",
@@ -199,7 +199,7 @@ class SceneReader {
           {"unknown kind of object", script::shown(reader.text_of(text.header)), headers_listed(), advice_of(*word)});
     reader.error(text.header, "",
                  {"unknown kind of object", script::shown(reader.text_of(text.header)), headers_listed(),
-                  near.empty() ? "perhaps the file was written for a newer Sarsim; a table of your own begins with x-"
+                  near.empty() ? "your own tables must begin with x-; or the file was written for a newer Sarsim"
                                : fmt::format("did you mean '{}'?", near)});
   }
 

@@ -222,8 +222,8 @@ class NamesReader {
       const std::vector<std::string> name = toml::key_parts(source.text, table.name);
       if (name.front() != "let") continue;
       if (name.size() > 1 || table.element)
-        readers_[number].error(table.header, {"the names of [let] stand in one table", script::shown(written), "[let]",
-                                              "write single brackets, and all names below them"});
+        readers_[number].error(table.header, {"the names of [let] must be in one table", script::shown(written),
+                                              "[let]", "write single brackets, and all names below them"});
       if (name.size() > 1) continue;
       for (std::size_t i = 0; i < table.entries; ++i)
         add(source, source.document.entries[table.first_entry + i], number);

@@ -104,7 +104,7 @@ TEST(TradeWordsOfTheLanguage, AreAnsweredWhereTheyAreWritten) {
       {"target", "swerling = 1", "Swerling"},
       {"target", "sigma0 = \"-10 dB\"", "rcs"},
       {"radar", "frequncy = \"3 GHz\"", "write carrier = \"3 GHz\""},
-      {"radar", "colour = 3", "a name of your own begins with x-"},
+      {"radar", "colour = 3", "your own fields must begin with x-"},
       {"radar", "antenna = { type = \"sinx\", length = \"1 m\" }", "write azimuth_width = \"1.585 deg\" in antenna"},
       {"radar", "rpm = 12", "rate = \"12 rpm\""},
       {"radar", "beam = { type = \"rotating\", rpm = 12 }", "write rate = \"12 rpm\" in beam"},

@@ -29,7 +29,7 @@ const std::vector<Spelling>& spellings_of_format_2() {
     made.emplace_back("$OPTIONS", "[options]");
     made.emplace_back(": in a script the elevation comes first", "");
     made.emplace_back("(BINARY, ASCII, BRACKET, CSV)", R"(("binary", "ascii", "bracket", "csv"))");
-    made.emplace_back("NONE leaves them", "\"none\" leaves them");
+    made.emplace_back("NONE to drop them", "\"none\" to drop them");
     made.emplace_back("\"strong\" or ALL", "\"strong\" or \"all\"");
     made.emplace_back("by points (OTHER)", "by points");
     made.emplace_back("an MFILTER", "a low-pass");

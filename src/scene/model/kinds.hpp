@@ -61,10 +61,9 @@ struct Single {
 /// All of them, in the order in which they are read: positions depend on the world.
 inline constexpr std::tuple singles{
     Single<World>{"world", "", "Where and when the scene is: on a plane, or on the turning Earth.", &Scene::world},
-    Single<Atmosphere>{"atmosphere", "", "What lies between radars and what they see: air, rain, the ionosphere.",
+    Single<Atmosphere>{"atmosphere", "", "What lies between radars and targets: air, rain, the ionosphere.",
                        &Scene::atmosphere},
-    Single<RunOptions>{"options", "OPTIONS",
-                       "What holds for everything that is made of the scene; the command line overrides it.",
+    Single<RunOptions>{"options", "OPTIONS", "Settings for all outputs of the scene; the command line overrides them.",
                        &Scene::options}};
 
 /// Calls `visit` with each Single.

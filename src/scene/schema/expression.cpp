@@ -147,7 +147,7 @@ Maybe Evaluation::fail_behind_operand() {
   const char c = text_[at_];
   const std::string found = source_.quote(at_, end);
   if (c == ')') return fail(at_, end, "')' closes nothing", {}, "remove it, or add '(' before it");
-  if (c == ',') return fail(at_, end, "',' stands outside the arguments of a function");
+  if (c == ',') return fail(at_, end, "',' is outside the arguments of a function");
   if (c != '(' && !begins_number(c) && !begins_word(c))
     return fail(at_, end, fmt::format("{} does not belong in an expression", found), "an operator or the end");
   return fail(at_, end, fmt::format("an operator is missing before {}", found), "+, -, *, / or ^",

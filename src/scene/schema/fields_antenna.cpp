@@ -169,13 +169,12 @@ void add_direction(FieldTable<Radar>& table) {
                                    .on_earth = true,
                                    .tip = "World point at which the beam is held."});
   table.when<&Radar::beam>(Beam::user);
-  table.add<&Radar::beam_target_world_m>(
-      {.id = "beam_target_world_m",
-       .key = "beam",
-       .label = "Point looked at",
-       .words = "point the beam looks at",
-       .block = &function_blocks::beam_target,
-       .tip = "World x, y and z of the point at which the beam looks, against time."});
+  table.add<&Radar::beam_target_world_m>({.id = "beam_target_world_m",
+                                          .key = "beam",
+                                          .label = "Look-at point",
+                                          .words = "point the beam looks at",
+                                          .block = &function_blocks::beam_target,
+                                          .tip = "World x, y and z of the beam's look-at point against time."});
 }
 
 }  // namespace sarsim::scene::radar_fields

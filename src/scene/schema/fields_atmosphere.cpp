@@ -15,7 +15,7 @@ void add_air(FieldTable<Atmosphere>& table) {
        .choices = {{"", Refraction::none, "None", "the air is as quick as vacuum", "none"},
                    {"", Refraction::exponential, "Exponential", "refractivity falls with exp(-h/H)", "exponential"},
                    {"", Refraction::linear, "Linear", "refractivity falls evenly, by the factor k", "linear"}},
-       .tip = "By how much air delays echoes: 2.3 m one way at the zenith. Rays stay straight."});
+       .tip = "Delay of echoes by the air: 2.3 m one way at the zenith. Rays stay straight."});
   table.when<&Atmosphere::refraction>(Refraction::exponential, Refraction::linear);
   table.add<&Atmosphere::refractivity>({.id = "refractivity",
                                         .key = "refraction.refractivity",
@@ -71,7 +71,7 @@ void add_rain(FieldTable<Atmosphere>& table) {
                                       .words = "height of the rain",
                                       .quantity = Quantity::length,
                                       .range = {0.0, 20e3},
-                                      .tip = "Up to which it rains."});
+                                      .tip = "Height up to which it rains."});
   table.add<&Atmosphere::polarisation>({.id = "polarisation",
                                         .key = "rain.polarisation",
                                         .label = "Polarisation",
@@ -91,13 +91,14 @@ void add_ionosphere(FieldTable<Atmosphere>& table) {
                                      .tip =
                                          "In TEC units of 1e16 electrons per m2: 5 to 20 at night, up to 100 by day. "
                                          "Delays by 40.3 TEC/f^2, and advances the phase as much."});
-  table.add<&Atmosphere::shell_height_m>({.id = "shell_height_m",
-                                          .key = "ionosphere.height",
-                                          .label = "Shell height",
-                                          .words = "height of the ionosphere",
-                                          .quantity = Quantity::length,
-                                          .range = {100e3, 1000e3},
-                                          .tip = "Where all electrons are taken to be; a radar below sees none."});
+  table.add<&Atmosphere::shell_height_m>(
+      {.id = "shell_height_m",
+       .key = "ionosphere.height",
+       .label = "Shell height",
+       .words = "height of the ionosphere",
+       .quantity = Quantity::length,
+       .range = {100e3, 1000e3},
+       .tip = "Height of the thin shell that contains all electrons; a radar below it sees none."});
   table.add<&Atmosphere::field_ut>({.id = "field_ut",
                                     .key = "ionosphere.field",
                                     .label = "Magnetic field",

@@ -16,7 +16,7 @@ void add_leg_sizes(FieldTable<Leg>& table) {
                                .quantity = Quantity::time,
                                .range = zero_or_more,
                                .example = "\"60 s\"",
-                               .tip = "How long it lasts; a straight leg has this or a length."});
+                               .tip = "Duration; a straight leg has this or a length."});
   table.when<&Leg::kind>(LegKind::straight);
   table.add<&Leg::length_m>({.id = "length_m",
                              .key = "length",
@@ -33,7 +33,7 @@ void add_leg_sizes(FieldTable<Leg>& table) {
                                       .words = "acceleration of the leg",
                                       .quantity = Quantity::acceleration,
                                       .example = "\"0.5 m/s2\"",
-                                      .tip = "Of the speed, which may come to 0 but not below.",
+                                      .tip = "Change of speed; the platform may stop but not reverse.",
                                       .rare = true});
 }
 
@@ -45,7 +45,7 @@ void add_turns(FieldTable<Leg>& table) {
                           .words = "angle of the turn",
                           .quantity = Quantity::angle,
                           .example = "\"90 deg\"",
-                          .tip = "By which the heading changes: positive to the right."});
+                          .tip = "Change of heading, positive to the right."});
   table.when<&Leg::kind>(LegKind::turn_to);
   table.add<&Leg::heading>({.id = "heading",
                             .key = "heading",
@@ -64,7 +64,7 @@ void add_turns(FieldTable<Leg>& table) {
        .choices = {{"", Leg::Side::shorter, "Shorter", "the shorter way; circles to the right", "shorter"},
                    {"", Leg::Side::right, "Right", "clockwise from above", "right"},
                    {"", Leg::Side::left, "Left", "counterclockwise from above", "left"}},
-       .tip = "Which way it turns.",
+       .tip = "Direction of the turn.",
        .rare = true});
   table.when<&Leg::kind>(LegKind::turn, LegKind::turn_to, LegKind::circle);
   table.add<&Leg::bank>({.id = "bank",
@@ -74,7 +74,7 @@ void add_turns(FieldTable<Leg>& table) {
                          .quantity = Quantity::angle,
                          .range = {0.0, 89.9},
                          .example = "\"25 deg\"",
-                         .tip = "Of a coordinated turn: radius v^2/(g tan bank). This or the radius."});
+                         .tip = "Bank angle of a coordinated turn, of radius v^2/(g tan bank). This or the radius."});
   table.add<&Leg::radius_m>({.id = "radius_m",
                              .key = "radius",
                              .label = "Radius",
@@ -82,7 +82,7 @@ void add_turns(FieldTable<Leg>& table) {
                              .quantity = Quantity::length,
                              .range = zero_or_more,
                              .example = "\"3 km\"",
-                             .tip = "Of the arc. This or the bank.",
+                             .tip = "Radius of the arc. This or the bank.",
                              .rare = true});
 }
 
@@ -94,7 +94,7 @@ void add_climbs(FieldTable<Leg>& table) {
                              .words = "height behind the climb",
                              .quantity = Quantity::length,
                              .example = "\"3500 m\"",
-                             .tip = "World z, above or below.",
+                             .tip = "World z at the end of the climb or descent.",
                              .needed = true});
   table.when<&Leg::kind>(LegKind::climb, LegKind::climb_to);
   table.add<&Leg::rate_mps>({.id = "rate_mps",
@@ -133,7 +133,7 @@ const FieldTable<Leg>& table_of<Leg>() {
                                        {"", LegKind::climb_to, "Climb to", "the same to a height", "climb-to"},
                                        {"", LegKind::hold, "Hold", "straight on", "hold"},
                                        {"", LegKind::circle, "Circle", "in circles", "circle"}},
-                           .tip = "What the platform does."});
+                           .tip = "Manoeuvre of the platform."});
     add_leg_sizes(table);
     add_turns(table);
     add_climbs(table);
@@ -193,7 +193,7 @@ const FieldTable<Oscillation>& table_of<Oscillation>() {
                                           .words = "amplitude of the oscillation",
                                           .quantity = Quantity::length,
                                           .example = "\"0.5 m\"",
-                                          .tip = "Half of the way from end to end."});
+                                          .tip = "Half of the peak-to-peak displacement."});
     table.when<&Oscillation::axis>(Axis::roll, Axis::pitch, Axis::yaw);
     table.add<&Oscillation::angle>({.id = "angle",
                                     .key = "angle",
@@ -201,7 +201,7 @@ const FieldTable<Oscillation>& table_of<Oscillation>() {
                                     .words = "angle of the oscillation",
                                     .quantity = Quantity::angle,
                                     .example = "\"5 deg\"",
-                                    .tip = "Half of the angle from end to end."});
+                                    .tip = "Half of the peak-to-peak angle."});
     table.always();
     table.add<&Oscillation::frequency_hz>({.id = "frequency_hz",
                                            .key = "frequency",
@@ -211,7 +211,7 @@ const FieldTable<Oscillation>& table_of<Oscillation>() {
                                            .range = {0.0, 1e5},
                                            .likely = {1e-5, 1e5},
                                            .example = "\"0.1 Hz\"",
-                                           .tip = "Of amplitude sin(2 pi f t + phase)."});
+                                           .tip = "Frequency f of amplitude sin(2 pi f t + phase)."});
     table.add<&Oscillation::phase>({.id = "phase",
                                     .key = "phase",
                                     .label = "Phase",

@@ -9,15 +9,14 @@ using RotationKind = Platform::Rotation;
 
 void add_ephemeris(FieldTable<Platform>& table) {
   table.when<&Platform::path>(PathKind::ephemeris);
-  table.add<&Platform::ephemeris_file>(
-      {.id = "ephemeris_file",
-       .key = "path.file",
-       .label = "Orbit file",
-       .words = "file of the path",
-       .example = "\"S1A.EOF\"",
-       .since_2 = true,
-       .tip = "Sentinel-1 EOF, CCSDS OEM, SP3, a table t, x, y, z, or mean elements as TLE or OMM. Only the table may "
-              "stand over a flat world."});
+  table.add<&Platform::ephemeris_file>({.id = "ephemeris_file",
+                                        .key = "path.file",
+                                        .label = "Orbit file",
+                                        .words = "file of the path",
+                                        .example = "\"S1A.EOF\"",
+                                        .since_2 = true,
+                                        .tip = "Sentinel-1 EOF, CCSDS OEM, SP3, a table t, x, y, z, or mean elements "
+                                               "as TLE or OMM. Only the table works over a flat world."});
   table.add<&Platform::satellite>({.id = "satellite",
                                    .key = "path.satellite",
                                    .label = "Satellite",
@@ -141,8 +140,7 @@ void add_routes(FieldTable<Platform>& table) {
        .words = "legs of the path",
        .example = R"([{ leg = "straight", length = "10 km" }, { leg = "turn", angle = "180 deg", bank = "30 deg" }])",
        .since_2 = true,
-       .tip = "Straight pieces, turns and climbs one after another; straight on before and "
-              "behind them."});
+       .tip = "Straight legs, turns and climbs in sequence; straight on before and after them."});
   table.when<&Platform::path>(PathKind::waypoints);
   table.add<&Platform::waypoints>({.id = "waypoints",
                                    .key = "path.waypoints",
@@ -158,7 +156,7 @@ void add_routes(FieldTable<Platform>& table) {
                               .quantity = Quantity::angle,
                               .range = {0.0, 89.0},
                               .since_2 = true,
-                              .tip = "Of the turns past waypoints: radius v^2/(g tan bank)."});
+                              .tip = "Bank angle of the turns at waypoints, of radius v^2/(g tan bank)."});
   table.add<&Platform::acceleration_mps2>({.id = "acceleration_mps2",
                                            .key = "path.acceleration",
                                            .label = "Acceleration",
@@ -166,7 +164,7 @@ void add_routes(FieldTable<Platform>& table) {
                                            .quantity = Quantity::acceleration,
                                            .range = zero_or_more,
                                            .since_2 = true,
-                                           .tip = "From the speed of one waypoint to that of the next; 0: it steps."});
+                                           .tip = "Between the speeds of successive waypoints; 0: the speed steps."});
   table.when<&Platform::path>(PathKind::legs, PathKind::waypoints);
   table.add<&Platform::speed_mps>({.id = "speed_mps",
                                    .key = "path.speed",
@@ -195,7 +193,7 @@ void add_relative(FieldTable<Platform>& table) {
                                 .example = "\"Earth\"",
                                 .optional = true,
                                 .since_2 = true,
-                                .tip = "The platform beside which this one flies."});
+                                .tip = "The platform with which this one flies in formation."});
   table.add<&Platform::offset_m>({.id = "offset_m",
                                   .key = "path.offset",
                                   .label = "offset",
@@ -209,7 +207,7 @@ void add_relative(FieldTable<Platform>& table) {
                                  .words = "delay behind the leader",
                                  .quantity = Quantity::time,
                                  .since_2 = true,
-                                 .tip = "The platform is where the leader was that long ago."});
+                                 .tip = "Time by which the platform trails the leader."});
 }
 
 }  // namespace
@@ -231,11 +229,11 @@ void add_attitude_laws(FieldTable<Platform>& table) {
                                 .quantity = Quantity::angle,
                                 .range = {-90.0, 90.0},
                                 .since_2 = true,
-                                .tip = "By which the x axis points above the path."});
+                                .tip = "Angle of the x axis above the path."});
   table.when<&Platform::rotation_kind>(RotationKind::look_at);
   table.add<&Platform::look_at_m>({.id = "look_at_m",
                                    .key = "rotation.point",
-                                   .label = "looked-at point",
+                                   .label = "Look-at point",
                                    .words = "point that the platform looks at",
                                    .quantity = Quantity::length,
                                    .on_earth = true,
@@ -290,7 +288,7 @@ void add_gusts(FieldTable<Platform>& table) {
                                       .quantity = Quantity::speed,
                                       .range = {1.0, 1000.0},
                                       .since_2 = true,
-                                      .tip = "At which the gusts are met.",
+                                      .tip = "Airspeed through the gusts.",
                                       .rare = true});
   table.add<&Platform::response_s>({.id = "response_s",
                                     .key = "position_error.response",
@@ -309,7 +307,7 @@ void add_gusts(FieldTable<Platform>& table) {
                                 .quantity = Quantity::time,
                                 .range = {0.1, 1e4},
                                 .since_2 = true,
-                                .tip = "Of the loop that brings the aircraft back to its path.",
+                                .tip = "Period of the control loop that returns the aircraft to its path.",
                                 .rare = true});
   table.add<&Platform::hold_damping>({.id = "hold_damping",
                                       .key = "position_error.damping",
@@ -317,7 +315,7 @@ void add_gusts(FieldTable<Platform>& table) {
                                       .words = "damping of the autopilot",
                                       .range = {0.05, 10.0},
                                       .since_2 = true,
-                                      .tip = "Share of the critical damping.",
+                                      .tip = "Fraction of critical damping.",
                                       .rare = true});
 }
 
@@ -355,8 +353,8 @@ void add_waves(FieldTable<Platform>& table) {
                                             .words = "period of the waves",
                                             .quantity = Quantity::time,
                                             .range = {0.5, 30.0},
-                                            .tip = "Of the most energetic waves: about 7.5 s in sea states 2 and 3, "
-                                                   "8.8 in 4, 9.7 in 5, 12.4 in 6, 15 in 7, 16.4 in 8."});
+                                            .tip = "Period of the most energetic waves: about 7.5 s in sea states 2 "
+                                                   "and 3, 8.8 in 4, 9.7 in 5, 12.4 in 6, 15 in 7, 16.4 in 8."});
   add.operator()<&Platform::wave_heading>({.id = "wave_heading",
                                            .key = "waves.heading",
                                            .label = "Waves to",
@@ -397,14 +395,14 @@ void add_waves(FieldTable<Platform>& table) {
                                            .label = "Roll damping",
                                            .words = "damping of the roll",
                                            .range = {0.005, 2.0},
-                                           .tip = "Share of the critical damping: 0.05 bare, 0.1 with bilge keels."});
+                                           .tip = "Fraction of critical damping: 0.05 bare, 0.1 with bilge keels."});
   add.operator()<&Platform::wave_count>({.id = "wave_count",
                                          .key = "waves.count",
                                          .label = "Number of waves",
                                          .words = "number of waves",
                                          .quantity = Quantity::count,
                                          .range = {1.0, 1000.0},
-                                         .tip = "Sinusoids that stand for the sea; 20 to 40 look like one."});
+                                         .tip = "Number of sinusoids that model the sea; 20 to 40 are enough."});
 }
 
 void add_navigation(FieldTable<Platform>& table) {
@@ -418,7 +416,7 @@ void add_navigation(FieldTable<Platform>& table) {
        .choices = {{"", Platform::Navigation::none, "Exact", "the motion is known as it is", "exact"},
                    {"", Platform::Navigation::ins, "Inertial", "known with the errors of an inertial system", "ins"}},
        .since_2 = true,
-       .tip = "What is believed of the motion: motion files and focusing can use it in place of the true one.",
+       .tip = "Measured (navigation) motion, which motion files and focusing can use instead of the true motion.",
        .rare = true});
   table.when<&Platform::navigation>(Platform::Navigation::ins);
   const auto add = [&]<auto Member>(FieldSpec spec) {
@@ -473,7 +471,7 @@ void add_navigation(FieldTable<Platform>& table) {
                                         .label = "Aligned at",
                                         .words = "time of the alignment",
                                         .quantity = Quantity::time,
-                                        .tip = "Biases and drifts begin to count then."});
+                                        .tip = "Time from which biases and drifts act."});
 }
 
 }  // namespace

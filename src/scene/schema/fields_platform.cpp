@@ -33,7 +33,7 @@ void add_position(FieldTable<Platform>& table) {
                                     .words = "position",
                                     .quantity = Quantity::length,
                                     .on_earth = true,
-                                    .tip = "Place of the platform's origin in world coordinates."});
+                                    .tip = "Position of the platform's origin in world coordinates."});
   table.when<&Platform::path>(Platform::Path::trajectory);
   table.add<&Platform::trajectory_m>({.id = "trajectory_m",
                                       .key = "path",
@@ -72,8 +72,8 @@ void add_rotation(FieldTable<Platform>& table) {
        .noun = "rotation",
        .quantity = Quantity::angle,
        .tip = "Rotation about each axis, clockwise seen against it, from its tip: positive z turns +x towards -y; roll "
-              "about x first, then y, then z. Added to the roll, pitch and yaw of coordinated flight; behind the other "
-              "kinds it turns the platform further."});
+              "about x first, then y, then z. Added to the roll, pitch and yaw of coordinated flight; with the other "
+              "kinds it is added to their rotation."});
   table.when<&Platform::rotation_kind>(Platform::Rotation::user);
   table.add<&Platform::rotation_deg>({.id = "rotation_deg",
                                       .key = "rotation",

@@ -88,7 +88,7 @@ void add_envelope(FieldTable<Radar>& table) {
                              .script_unit = "ns",
                              .range = zero_or_more,
                              .likely = {0.0, 1.0},
-                             .tip = "From nothing to the full amplitude.",
+                             .tip = "From zero to full amplitude.",
                              .rare = true});
   table.add<&Radar::fall_s>({.id = "fall_s",
                              .key = "envelope.fall",
@@ -98,7 +98,7 @@ void add_envelope(FieldTable<Radar>& table) {
                              .script_unit = "ns",
                              .range = zero_or_more,
                              .likely = {0.0, 1.0},
-                             .tip = "From the full amplitude to nothing.",
+                             .tip = "From full amplitude to zero.",
                              .rare = true});
   table.when<&Radar::envelope>(Envelope::user);
   table.add<&Radar::envelope_gain>({.id = "envelope_gain",
@@ -231,7 +231,7 @@ void add_power(FieldTable<Radar>& table) {
                                           .quantity = Quantity::temperature,
                                           .range = zero_or_more,
                                           .likely = {0.0, 1e5},
-                                          .tip = "Of the receiver: noise power is k T B. 0 for no noise."});
+                                          .tip = "Receiver noise temperature: noise power is k T B. 0 for no noise."});
   table.add<&Radar::transmit_gain>(
       {.id = "transmit_gain",
        .key = "transmit_gain",
@@ -274,7 +274,7 @@ const FieldTable<Radar>& table_of<Radar>() {
                                  .label = "Platform name",
                                  .words = "name of its platform",
                                  .refers = "platform",
-                                 .tip = "The radar stands at the origin of this platform."});
+                                 .tip = "The radar is at the origin of this platform."});
     add_pulse(table);
     add_envelope(table);
     add_repetition(table);

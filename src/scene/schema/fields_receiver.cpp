@@ -75,7 +75,7 @@ void add_receiver(FieldTable<Radar>& table) {
                                           .quantity = Quantity::ratio_db,
                                           .range = {10.0, 100.0},
                                           .since_2 = true,
-                                          .tip = "How far the first sidelobes lie below the peak.",
+                                          .tip = "Level of the first sidelobes below the peak.",
                                           .rare = true});
   table.add<&Radar::taylor_equal_sidelobes>({.id = "taylor_equal_sidelobes",
                                              .key = "window.nbar",
@@ -104,8 +104,7 @@ void add_receiver(FieldTable<Radar>& table) {
                    {"1OVERR4", Radar::Stc::range_law, "1/R^4", "takes the loss with range out of the echoes",
                     "range-law"},
                    {"OTHER", Radar::Stc::user, "User-defined", "gain given by points", "points"}},
-       .tip = "Gain against range before the A/D converter: none, one that takes the loss with range out of the "
-              "echoes, or given.",
+       .tip = "Gain against range before the A/D converter: none, compensating the range loss, or given.",
        .rare = true});
   table.when<&Radar::stc>(Radar::Stc::user);
   table.add<&Radar::stc_gain>({.id = "stc_gain",

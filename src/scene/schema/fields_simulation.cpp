@@ -23,7 +23,7 @@ void add_converter(FieldTable<Simulation>& table) {
                                 .noun = "number of A/D bits",
                                 .quantity = Quantity::count,
                                 .range = {1.0, 64.0},
-                                .tip = "Of I and of Q; counts reach from -(2^(bits-1) - 1) to 2^(bits-1)."});
+                                .tip = "Bits per I and Q channel; counts range from -(2^(bits-1) - 1) to 2^(bits-1)."});
   table.add<&Simulation::lsb_v>({.id = "lsb_v",
                                  .key = "lsb",
                                  .label = "LSB value",
@@ -78,7 +78,7 @@ void add_pulse_choices(FieldTable<Simulation>& table) {
        .choices = {{"BEGIN", Simulation::PulsePosition::begin, "Start", "a target's range is where its pulse begins"},
                    {"CENTRE", Simulation::PulsePosition::centre, "Centre",
                     "a target's range is the centre of its pulse"}},
-       .tip = "Whether a target's range is where its pulse starts or the centre of its pulse.",
+       .tip = "Which part of the echo is placed at the target's range: its leading edge or its centre.",
        .rare = true});
   table.add<&Simulation::oversampling>({.id = "oversampling",
                                         .key = "oversampling",
@@ -95,7 +95,7 @@ void add_pulse_choices(FieldTable<Simulation>& table) {
                                         .words = "kept length of a band-limited pulse in pulse widths",
                                         .noun = "pulse width factor",
                                         .range = {0.0, 100.0},
-                                        .tip = "Length of a band-limited pulse that is kept, in pulse widths, 1 or "
+                                        .tip = "Length of the band-limited pulse that is kept, in pulse widths, 1 or "
                                                "more; 0 keeps all of it (in the classic profile: 1).",
                                         .detail = "0 keeps all of it (classic: 1)",
                                         .rare = true});

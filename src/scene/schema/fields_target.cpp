@@ -32,7 +32,7 @@ void add_place(FieldTable<Target>& table) {
                                   .words = "position",
                                   .quantity = Quantity::length,
                                   .on_earth = true,
-                                  .tip = "Place of the target in the platform's frame."});
+                                  .tip = "Position of the target in the platform's frame."});
   add_deviation(table);
 }
 

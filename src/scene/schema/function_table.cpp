@@ -126,7 +126,7 @@ constexpr FunctionKind kinds[] = {
      {0.0, 100.0},
      whole_turns,
      anything},
-    {"Point looked at", blocks::beam_target, "Time", positions, Quantity::time, Quantity::length, seconds, kilometre,
+    {"Look-at point", blocks::beam_target, "Time", positions, Quantity::time, Quantity::length, seconds, kilometre,
      anything, anything},
     {"Matched filter window",
      blocks::window_gain,

@@ -128,7 +128,7 @@ constexpr TradeWord words[] = {
      "",
      none,
      {},
-     "dechirping on receive (FMCW, stretch) is not modelled: pulses are sampled as they come in"},
+     "dechirping on receive (FMCW, stretch) is not modelled: pulses are sampled as received"},
     // Power and noise.
     {"tx_power txpower transmit_power transmitted_power transmitter_power peak_power peak_transmit_power output_power "
      "pt p_t ptx p_tx tx_pwr power_w",
@@ -257,8 +257,8 @@ constexpr TradeWord words[] = {
      "",
      none,
      {},
-     "a scene says what is recorded; images are made by sarsim focus --algorithm"},
-    {"autofocus motion_compensation moco", "", "", none, {}, "it is asked for where images are made: sarsim focus"},
+     "a scene defines what is recorded; images are made by sarsim focus --algorithm"},
+    {"autofocus motion_compensation moco", "", "", none, {}, "it is an option of sarsim focus"},
     {"cfar pfa pd probability_of_detection probability_of_false_alarm detection_threshold threshold false_alarm_rate "
      "detector",
      "",
@@ -314,7 +314,7 @@ constexpr TradeWord words[] = {
     {"swerling swerling_model swerling_case fluctuation fluctuations fluctuation_model rcs_fluctuation scintillation "
      "rcs_model target_model",
      "", "target.rcs_deviation", none, R"(rcs_deviation = "0.5 m2")",
-     "Swerling's models are not known; this is a Gaussian spread from pulse to pulse"},
+     "Swerling models are not supported; this is a Gaussian spread from pulse to pulse"},
     {"velocity speed vel v vx vy vz motion trajectory path heading course acceleration range_rate radial_velocity "
      "radial_speed doppler_velocity",
      "target", "platform.path.velocity", none, line_path, moving_platform},
@@ -421,13 +421,13 @@ constexpr TradeWord words[] = {
      "",
      none,
      {},
-     "waves run at the speed of light in vacuum; [atmosphere] adds delays and losses"},
+     "waves propagate at the speed of light in vacuum; [atmosphere] adds delays and losses"},
     {"multipath ground_bounce two_ray ground_reflection double_bounce ray_tracing",
      "",
      "",
      none,
      {},
-     "multipath is not modelled: every echo takes the straight way"},
+     "multipath is not modelled: every echo takes the direct path"},
     {"jammer jamming interference rfi eccm interferer", "", "", none, {}, "interference and jammers are not modelled"},
     {"terrain dem dtm dsm elevation_model height_map srtm", "", "target.positions", none,
      R"(positions = { file = "terrain.npy" })", "terrain is a table of points: x, y, z and cross-section"},
@@ -454,7 +454,7 @@ constexpr TradeWord words[] = {
      "",
      none,
      {},
-     "comments begin with #; a name of your own begins with x-"},
+     "comments begin with #; your own fields must begin with x-"},
 };
 
 constexpr TradeChoice choices[] = {
@@ -525,8 +525,7 @@ constexpr TradeChoice choices[] = {
     {"lambertian lambert cos facet plate", "reflectivity", "directional"},
     {"constant point omni uniform", "reflectivity", "isotropic"},
     {"swerling swerling1 swerling0 swerling3", "reflectivity", "",
-     "Swerling's models are not known; rcs_deviation is a "
-     "Gaussian spread"},
+     "Swerling models are not supported; rcs_deviation is a Gaussian spread"},
     {"wgs84 wgs_84 ecef geodetic spherical globe", "frame", "earth"},
     {"local ned enu cartesian plane none", "frame", "flat"},
     {"ideal perfect true none", "navigation", "exact"},
@@ -559,11 +558,11 @@ constexpr TradeHeader headers[] = {
     {"environment channel propagation weather air rain ionosphere freespace", "atmosphere", ""},
     {"earth frame coordinates global origin geodesy", "world", ""},
     {"general parameters settings config configuration setup random seed run control", "options", ""},
-    {"constants variables vars define definitions params", "let", "names for values that stand in several places"},
+    {"constants variables vars define definitions params", "let", "names for values used in several places"},
     {"jammer jammers interference interferer", "", "interference and jammers are not modelled"},
     {"clock timing oscillator", "", "oscillators are ideal: phase noise and jitter are not modelled"},
     {"image focus focusing detector detection cfar", "",
-     "a scene says what is recorded; sarsim focus, doppler and search process it"},
+     "a scene defines what is recorded; sarsim focus, doppler and search process it"},
 };
 
 }  // namespace

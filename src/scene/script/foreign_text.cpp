@@ -17,7 +17,7 @@ namespace sarsim::scene {
 
 namespace {
 
-constexpr const char* see_info = "sarsim info FILE says what it holds; name the scene that made it";
+constexpr const char* see_info = "sarsim info FILE shows what it contains; name the scene that made it";
 constexpr const char* as_toml = "write it as TOML that begins with format = \"sarsim 2\" (sarsim new A.toml)";
 
 // How content begins, what that is, and what to do.

@@ -141,7 +141,7 @@ void Reporter::add(core::Severity severity, const Token& token, std::string_view
 void Reporter::check_spelling(const Token& token, std::string_view member) {
   if (token.comment_follows)
     warning(token, member,
-            {"a comment begins right behind a value", shown(token.text) + "!", "",
+            {"a comment begins right after a value", shown(token.text) + "!", "",
              "put a blank before the '!', or quotes around a name that holds one"});
   if (token.open_quote)
     error(token, member, {"a quote is not closed", "\"" + shown(token.text), "a second '\"' on the same line", ""});

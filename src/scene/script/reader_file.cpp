@@ -138,7 +138,7 @@ std::string remedy(const fs::path& path) {
     script += ending;
     if (!fs::exists(status) && fs::exists(script, ignored)) return fmt::format("did you mean {}?", script.string());
   }
-  if (!fs::exists(status)) return "look at the name and the folder; file names are case-sensitive";
+  if (!fs::exists(status)) return "check the name and the folder; file names are case-sensitive";
   if (fs::is_directory(status)) return "name a script in that folder";
   return "give a text file that you may read";
 }

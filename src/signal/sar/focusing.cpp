@@ -328,7 +328,7 @@ void check_area(const EchoRows& echoes, const AxisInterval& area, const Straight
   if (rows * columns <= max_samples) return;  // False for what is not a number.
   const double max_m = max_samples / columns * step_m;
   problems.push_back(
-      core::error("the area to be focused is too long in azimuth, or too far from the record")
+      core::error("the image area is too long in azimuth, or too far from the record")
           .found(fmt::format("{:.6g} to {:.6g} m, {:.3g} samples from the record on", area.first_m, area.last_m,
                              rows * columns))
           .expected(fmt::format("an area from {:.6g} to {:.6g} m at most, {:.3g} samples with the record",
@@ -341,24 +341,25 @@ void check_options(const EchoRows& echoes, const FocusOptions& options, const St
   if (options.azimuth_area) check_area(echoes, *options.azimuth_area, track, problems);
   const double prf_hz = 1.0 / track.interval_s;
   if (!(options.doppler_bandwidth_hz >= 0.0 && options.doppler_bandwidth_hz <= prf_hz))
-    problems.push_back(core::error("the Doppler bandwidth does not fit between two pulses")
+    problems.push_back(core::error("the processed Doppler bandwidth exceeds the PRF")
                            .found(fmt::format("{:.6g} Hz", options.doppler_bandwidth_hz))
                            .expected(fmt::format("0 to {:.6g} Hz, the pulse repetition frequency", prf_hz)));
   // Of a band so narrow no line of the spectrum may be left.
   const double min_hz = 2.0 * prf_hz / static_cast<double>(echoes.rows);
   if (options.doppler_bandwidth_hz > 0.0 && options.doppler_bandwidth_hz < min_hz)
     problems.push_back(
-        core::error("the Doppler bandwidth is narrower than what the recorded pulses tell apart")
+        core::error("the Doppler bandwidth is narrower than what the recorded pulses can resolve in Doppler")
             .found(fmt::format("{:.6g} Hz", options.doppler_bandwidth_hz))
             .expected(fmt::format("at least {:.3g} Hz, twice the pulse repetition frequency over the number of "
                                   "pulses, or 0 for the whole spectrum",
                                   min_hz)));
   const double max_hz = radar::turns_of(track.speed_mps, echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
   if (const double centroid_hz = std::abs(options.doppler_centroid_hz); !(centroid_hz < max_sine * max_hz))
-    problems.push_back(core::error("no look direction has this Doppler centroid")
-                           .found(fmt::format("{:.6g} Hz", centroid_hz))
-                           .expected(fmt::format("below {:.6g} Hz, two speeds over the wavelength", max_sine * max_hz))
-                           .hint("check the centroid"));
+    problems.push_back(
+        core::error("no look direction has this Doppler centroid")
+            .found(fmt::format("{:.6g} Hz", centroid_hz))
+            .expected(fmt::format("below {:.6g} Hz, twice the speed over the wavelength", max_sine * max_hz))
+            .hint("check the centroid"));
 }
 
 // What only the methods in the frequency domain mind.
@@ -370,7 +371,7 @@ void check_spectrum(const EchoRows& echoes, const FocusOptions& options, const S
   if (std::abs(options.doppler_centroid_hz) < max_hz && !(reached_hz < max_hz))
     problems.push_back(core::error("the Doppler band reaches beyond that of any look direction")
                            .found(fmt::format("{:.6g} Hz", reached_hz))
-                           .expected(fmt::format("below {:.6g} Hz, two speeds over the wavelength", max_hz))
+                           .expected(fmt::format("below {:.6g} Hz, twice the speed over the wavelength", max_hz))
                            .hint("check the centroid, and keep a smaller band"));
   if (options.method != FocusMethod::chirp_scaling) return;
   // Rows are not to become many times longer; but short ones may.
@@ -399,7 +400,7 @@ void check_waveform(const SarWaveform& waveform, core::Problems& problems) {
 
 void check_track(const EchoRows& echoes, const StraightTrack& track, core::Problems& problems) {
   if (track.worst_interval_s > 0.01 * track.interval_s) {
-    problems.push_back(core::error("the pulses are not evenly spaced, as methods in the frequency domain need them")
+    problems.push_back(core::error("the pulses are not evenly spaced, as frequency-domain algorithms require")
                            .found(fmt::format("{:.6g} s", track.worst_interval_s))
                            .expected(fmt::format("within {:.3g} s", 0.01 * track.interval_s))
                            .hint("use back projection")
@@ -407,12 +408,13 @@ void check_track(const EchoRows& echoes, const StraightTrack& track, core::Probl
   }
   const double limit_m = radar::wavelength_of(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps) / 16.0;
   if (track.worst_position_m <= limit_m) return;
-  problems.push_back(core::warning("focus.track-not-straight",
-                                   "the antenna leaves the straight line at constant speed that is assumed")
-                         .found(fmt::format("{:.6g} m", track.worst_position_m))
-                         .expected(fmt::format("within {:.3g} m, a sixteenth of the wavelength", limit_m))
-                         .hint("compensate its motion, or use back projection")
-                         .at("", 0, track_field));
+  problems.push_back(
+      core::warning("focus.track-not-straight",
+                    "the antenna deviates from the straight line at constant speed that focusing assumes")
+          .found(fmt::format("{:.6g} m", track.worst_position_m))
+          .expected(fmt::format("at most {:.3g} m, 1/16 of the wavelength", limit_m))
+          .hint("use motion compensation or back-projection")
+          .at("", 0, track_field));
 }
 
 // What prevents any method; the track, if a line can be fitted to it.
@@ -449,7 +451,7 @@ core::Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& 
     problems.push_back(core::error("the carrier changes from pulse to pulse, up to")
                            .found(fmt::format("{:.6g} Hz", high))
                            .expected(fmt::format("{:.6g} Hz alone", low))
-                           .hint("use back projection, which takes each pulse at its own"));
+                           .hint("use back-projection, which uses the carrier of each pulse"));
   }
   const bool sound = !core::has_errors(problems);
   check_track(echoes, *track, problems);

@@ -17,14 +17,13 @@ core::Problem problem_of_echo(std::string_view kind, std::size_t index, std::str
   const double speed_mps = std::abs(echo.speed_mps);
   if (!(speed_mps < light_speed_mps)) {
     problem.id = "echo.faster-than-light";
-    problem.message = fmt::format("the {} moves as fast as light, or faster, as radar '{}' sees it", kind, radar);
+    problem.message = fmt::format("the {} moves as fast as light, or faster, relative to radar '{}'", kind, radar);
     problem.found = fmt::format("{:.6g} m/s", speed_mps);
     problem.expected = fmt::format("below {} m/s", core::format_number(light_speed_mps));
-    problem.hint = "look at the paths and rotation rates of its platform and of the radar's: times are in seconds";
+    problem.hint = "check the paths and rotation rates of its platform and of the radar's: times are in seconds";
   } else if (!(echo.distance_m > 0.0)) {
     problem.id = "echo.no-distance";
-    problem.message =
-        fmt::format("the {} stands at the position of radar '{}'; its echo would be infinite", kind, radar);
+    problem.message = fmt::format("the {} is at the position of radar '{}'; its echo would be infinite", kind, radar);
     problem.found = fmt::format("distance {} m", core::format_number(echo.distance_m));
     problem.expected = "a distance above 0";
     problem.hint = fmt::format("move the {} or the radar's platform", kind);
@@ -33,7 +32,7 @@ core::Problem problem_of_echo(std::string_view kind, std::size_t index, std::str
     problem.message = fmt::format("the echo of the {} in radar '{}' is too strong to be recorded", kind, radar);
     problem.found = fmt::format("{:.3g} V", echo.amplitude_v);
     problem.expected = fmt::format("up to {:g} V", strongest_echo_v);
-    problem.hint = "look at the reflectivity, at the distance and at the radar's power and gains";
+    problem.hint = "check the reflectivity, the distance, and the radar's power and gains";
   }
   return problem;
 }

@@ -31,8 +31,8 @@ class RangeAmbiguityRules {
     const bool late = survey_.totals.late > 0;
     const bool asked_for = which == scene::AmbiguousEchoes::all;
     const std::string heard_text =
-        left_out ? fmt::format("echoes of {} would reach the window and are left out", pulses_of(heard))
-                 : fmt::format("rows also hold echoes of {}, which appear at false ranges", pulses_of(heard));
+        left_out ? fmt::format("echoes of {} would fall into the window and are left out", pulses_of(heard))
+                 : fmt::format("rows also contain range-ambiguous echoes of {}, at false ranges", pulses_of(heard));
     add(core::ProblemBuilder(
             asked_for || (left_out && !(late && !from_afar())) ? core::Severity::note : core::Severity::warning,
             late ? core::RuleId("echoes.late") : core::RuleId("echoes.of-other-pulses"),
@@ -40,8 +40,8 @@ class RangeAmbiguityRules {
             .found(late ? late_range() + "; " + level_of(heard) : level_of(heard))
             .expected(late ? unambiguous_text() : "")
             .hint(left_out ? "AMBIGUOUS_ECHOES STRONG or ALL in $OPTIONS adds them"
-                           : "change the PRF or the window; AMBIGUOUS_ECHOES ALL in $OPTIONS says that they are meant, "
-                             "NONE leaves them out"));
+                           : "change the PRF or the window; set AMBIGUOUS_ECHOES ALL in $OPTIONS to keep them without "
+                             "this warning, NONE to drop them"));
   }
 
   void check_eclipsed() {
@@ -49,12 +49,13 @@ class RangeAmbiguityRules {
         std::ranges::count_if(survey_.targets, [this](const TargetSurvey& t) { return t.in_window && eclipsed(t); }));
     if (targets == 0) return;
     const bool blanked = acquisition_.scene->options.eclipsing == scene::Eclipsing::blanked;
-    add(core::note("echoes.while-sending",
-                   fmt::format("echoes of {} of {} targets arrive while the radar sends{}", targets,
-                               survey_.targets.size(), blanked ? " and are cut" : "; the receiver is taken to go on") +
-                       scope_)
+    add(core::note(
+            "echoes.while-sending",
+            fmt::format("echoes of {} of {} targets arrive while the radar transmits{}", targets,
+                        survey_.targets.size(), blanked ? " and are blanked" : "; the receiver is assumed to stay on") +
+                scope_)
             .hint(blanked ? "change the PRF or the pulse width"
-                          : "ECLIPSING BLANKED in $OPTIONS makes samples 0 while the radar sends"));
+                          : "set ECLIPSING BLANKED in $OPTIONS to blank the receiver while the radar transmits"));
   }
 
  private:
@@ -70,7 +71,7 @@ class RangeAmbiguityRules {
   }
   [[nodiscard]] std::string late_range() const {
     const std::string text = fmt::format("range {:.6g} m", survey_.totals.latest_m);
-    return from_afar() ? text + fmt::format(", {:.0f} pulses are under way at once", under_way()) : text;
+    return from_afar() ? text + fmt::format(", {:.0f} pulses are in flight at once", under_way()) : text;
   }
   [[nodiscard]] std::string unambiguous_text() const {
     return fmt::format("at most {:.6g} m, the unambiguous range", unambiguous_range_m(acquisition_));
@@ -80,11 +81,12 @@ class RangeAmbiguityRules {
   void check_late() {
     if (survey_.totals.late == 0) return;
     const bool own_alone = acquisition_.scene->conventions.reception == Conventions::Reception::own_pulse;
-    add(core::ProblemBuilder(from_afar() ? core::Severity::note : core::Severity::warning, "echoes.late",
-                             late_text() + (own_alone ? "; a row holds the echoes of its own pulse only" : "") + scope_)
+    add(core::ProblemBuilder(
+            from_afar() ? core::Severity::note : core::Severity::warning, "echoes.late",
+            late_text() + (own_alone ? "; a row contains the echoes of its own pulse only" : "") + scope_)
             .found(late_range())
             .expected(unambiguous_text())
-            .hint(from_afar() ? "as is usual from orbit; choose the PRF so that no pulse leaves while echoes arrive"
+            .hint(from_afar() ? "normal from orbit; choose the PRF so that no pulse is sent while echoes arrive"
                               : "lower the PRF, or move the targets"));
   }
 
@@ -92,21 +94,22 @@ class RangeAmbiguityRules {
     if (!(heard.farther > 0.0)) return;
     add(core::warning(
             "echoes.left-out",
-            fmt::format("echoes of pulses sent more than {} pulses earlier or later are received but left out",
-                        max_pulses_away))
-            .found(fmt::format("up to {:.0f} dB relative to the strongest echo, antennas ignored",
+            fmt::format(
+                "range-ambiguous echoes of pulses sent more than {} pulses earlier or later are received but left out",
+                max_pulses_away))
+            .found(fmt::format("up to {:.0f} dB relative to the strongest echo, antenna patterns not applied",
                                core::amplitude_db(heard.farther)))
             .hint("lower the PRF, or move the targets"));
   }
 
   [[nodiscard]] static std::string level_of(const RangeAmbiguities& heard) {
     const RangeAmbiguity& strongest = *std::ranges::max_element(heard.pulses, {}, &RangeAmbiguity::strength);
-    if (strongest.strength >= 1.0) return "the strongest echo is among them, antennas ignored";
-    return fmt::format("up to {:.0f} dB relative to the strongest echo, antennas ignored",
+    if (strongest.strength >= 1.0) return "the strongest echo is among them, antenna patterns not applied";
+    return fmt::format("up to {:.0f} dB relative to the strongest echo, antenna patterns not applied",
                        core::amplitude_db(strongest.strength));
   }
 
-  // "the 2 pulses before and the pulse after theirs"
+  // "the 2 pulses before and the pulse after their own"
   [[nodiscard]] static std::string pulses_of(const RangeAmbiguities& heard) {
     std::int64_t before = 0;
     std::int64_t after = 0;
@@ -117,9 +120,9 @@ class RangeAmbiguityRules {
     const auto sent = [](std::int64_t count, const char* where) {
       return count == 1 ? fmt::format("the pulse {}", where) : fmt::format("pulses up to {} {}", count, where);
     };
-    if (after == 0) return sent(before, "before theirs");
-    if (before == 0) return sent(after, "after theirs");
-    return sent(before, "before") + " and " + sent(after, "after theirs");
+    if (after == 0) return sent(before, "before their own");
+    if (before == 0) return sent(after, "after their own");
+    return sent(before, "before") + " and " + sent(after, "after their own");
   }
 
   // Whether a pulse leaves while an echo arrives, anywhere between its nearest and its farthest place.

@@ -104,7 +104,7 @@ class LimitRules {
         core::warning(
             "doppler.beyond-sampled-band",
             fmt::format(
-                "the Doppler shift moves {:.0f} % of the spectrum of echoes out of the sampled band, where it aliases",
+                "the Doppler shift moves {:.0f} % of the echo spectrum out of the sampled band, where it aliases",
                 100.0 * std::min(1.0, aliased_hz / bandwidth_hz_)))
             .found(fmt::format("a shift of {} at a sampling frequency of {}", core::with_prefix(doppler_hz, "Hz", 4),
                                core::with_prefix(rate_hz, "Hz", 4)))
@@ -173,13 +173,13 @@ class LimitRules {
       if (order[i] < other) std::tie(first, other) = std::tuple(order[i - 1], order[i]);
     }
     if (count == 0) return;
-    add("", core::warning(
-                "targets.same-position",
-                fmt::format("targets {} and {} are at the same position: their echoes add up to those of one target",
-                            first + 1, other + 1))
-                .found(fmt::format("{} at the position of another one", text_of(count, "target", "targets")))
-                .expected("positions that differ")
-                .hint("Remove the copy, or give one target the sum of the amplitudes."));
+    add("",
+        core::warning("targets.same-position",
+                      fmt::format("targets {} and {} are at the same position: their echoes sum to those of one target",
+                                  first + 1, other + 1))
+            .found(fmt::format("{} at the position of another one", text_of(count, "target", "targets")))
+            .expected("positions that differ")
+            .hint("Remove the copy, or give one target the sum of the amplitudes."));
   }
 
   // The lowest place of the radar in the flight, and its height.
@@ -269,14 +269,14 @@ class LimitRules {
     const double elevation_rad = acquisition_.link.air->elevation_rad(radar_m, radar_m + worst.from_radar_m);
     add("radar",
         core::warning("air.bending",
-                      "rays bend at low elevation, which echoes leave out: they follow the straight line")
+                      "rays bend at low elevation, which is not modelled: echoes follow the straight line")
             .found(fmt::format(
                 "target {} at an elevation of {:.3g} deg: the bent ray is {:.3g} mm shorter, {:.2g} rad two-way",
                 worst.target + 1, core::deg_per_rad * elevation_rad, 1e3 * worst_m,
                 4.0 * core::pi * worst_m / wavelength_m))
             .expected(fmt::format("at most {:.2g} mm, a sixteenth of the wavelength",
                                   1e3 * max_bending_wavelengths * wavelength_m))
-            .hint("Phases are off by as much, and the direction at the antenna by the angle of bending."));
+            .hint("Phases have this error, and the direction at the antenna is off by the bending angle."));
   }
 
   // Whether the flight makes an aperture: its length squared exceeds half a wavelength times the range.
@@ -348,8 +348,8 @@ class LimitRules {
       }
     if (count == 0) return;
     add("", core::note("targets.unresolved",
-                       fmt::format("targets {} and {} are unresolved: they are in one cell of range and Doppler",
-                                   first.first, first.second))
+                       fmt::format("targets {} and {} are unresolved: they share one range-Doppler cell", first.first,
+                                   first.second))
                 .found(fmt::format("{}; the first {:.3g} m and {} apart", text_of(count, "pair", "pairs"), range_m,
                                    core::with_prefix(doppler_hz, "Hz", 3)))
                 .expected(
@@ -375,16 +375,15 @@ class LimitRules {
     }
     if (!first) return;
     const double wavelength_m = radar::wavelength_of(geometry_.carrier_hz(), light_mps_);
-    add("radar",
-        core::warning("targets.blind-speed",
-                      fmt::format("{} at a blind speed, target {} the first: pulses show it like a target at rest",
-                                  text_of(count, "target moves", "targets move"), first->target + 1))
-            .found(fmt::format("a Doppler frequency of {}, which aliases to {}",
-                               core::with_prefix(first->doppler_hz, "Hz", 5),
-                               core::with_prefix(std::remainder(first->doppler_hz, prf_hz), "Hz", 3)))
-            .expected(fmt::format("radial speeds away from multiples of {:.4g} m/s, lambda PRF/2",
-                                  0.5 * wavelength_m * prf_hz))
-            .hint("Change the PRF or the carrier, or stagger the pulse intervals."));
+    add("radar", core::warning("targets.blind-speed",
+                               fmt::format("{} at a blind speed, target {} the first: it appears stationary",
+                                           text_of(count, "target moves", "targets move"), first->target + 1))
+                     .found(fmt::format("a Doppler frequency of {}, which aliases to {}",
+                                        core::with_prefix(first->doppler_hz, "Hz", 5),
+                                        core::with_prefix(std::remainder(first->doppler_hz, prf_hz), "Hz", 3)))
+                     .expected(fmt::format("radial speeds away from multiples of {:.4g} m/s, lambda PRF/2",
+                                           0.5 * wavelength_m * prf_hz))
+                     .hint("Change the PRF or the carrier, or stagger the pulse intervals."));
   }
 
   const Acquisition& acquisition_;

@@ -100,8 +100,8 @@ TEST(PulseMotion, IsNoneAtRestAndWithTheLightTimeOfTheThesis) {
 TEST(PulseMotion, IsANoteFromOneHundredthRadianAndAWarningFromATenth) {
   const auto rate_of = [](double phase_rad) { return std::cbrt(phase_rad / phase_of(2.0, 77e9, 0.9e-3)); };
   EXPECT_THAT(said(turning(rate_of(0.009))), Not(HasSubstr("motion within a pulse")));
-  EXPECT_THAT(said(turning(rate_of(0.02))), HasSubstr("note: echoes follow the motion within a pulse"));
-  EXPECT_THAT(said(turning(rate_of(0.2))), HasSubstr("warning: echoes follow the motion within a pulse"));
+  EXPECT_THAT(said(turning(rate_of(0.02))), HasSubstr("note: motion within a pulse"));
+  EXPECT_THAT(said(turning(rate_of(0.2))), HasSubstr("warning: motion within a pulse"));
   EXPECT_THAT(said(turning(rate_of(0.2))), HasSubstr("rad, for target 1 at "));
 }
 

@@ -85,10 +85,9 @@ class Surveyor {
     add("radar",
         core::ProblemBuilder(
             left.phase_rad < warned_motion_rad ? core::Severity::note : core::Severity::warning, "motion.within-pulse",
-            fmt::format(
-                "echoes follow the motion within a pulse to its second order: what is left turns the ends of the "
-                "pulse by up to {:.2g} rad, for target {} at {:.6g} s",
-                left.phase_rad, left.target + 1, acquisition.link.repetition.send_time_s(left.pulse)))
+            fmt::format("motion within a pulse is modelled to second order: the residual phase at the ends of the "
+                        "pulse is up to {:.2g} rad, for target {} at {:.6g} s",
+                        left.phase_rad, left.target + 1, acquisition.link.repetition.send_time_s(left.pulse)))
             .expected(fmt::format("below {:g} rad", noted_motion_rad))
             .hint("shorten the pulse: this phase grows with the third power of its width"));
   }
@@ -100,17 +99,14 @@ class Surveyor {
     if (!steps || steps->unlit_share < min_unlit) return;
     const auto degrees = [](double angle_rad) { return fmt::format("{:.4g} deg", core::deg_per_rad * angle_rad); };
     const double prf_hz = 1.0 / acquisition.link.repetition.mean_interval_s();
-    add("radar",
-        core::warning(
-            "beam.jumps",
-            fmt::format("the beam jumps farther than its width from pulse to pulse: {:.0f} % of the directions that it "
-                        "turns through are never illuminated",
-                        100.0 * steps->unlit_share))
-            .found(fmt::format("a turn of {} from pulse to pulse, a beam of {}", degrees(steps->step_rad),
-                               degrees(steps->width_rad)))
-            .expected(fmt::format("at most {} from pulse to pulse", degrees(steps->width_rad)))
-            .hint(fmt::format("turn the beam more slowly, or raise the PRF to at least {}",
-                              core::with_prefix(prf_hz * steps->step_rad / steps->width_rad, "Hz", 4))));
+    add("radar", core::warning("beam.jumps", fmt::format("the beam rotates by more than its width from pulse to pulse: "
+                                                         "{:.0f} % of the directions scanned are never illuminated",
+                                                         100.0 * steps->unlit_share))
+                     .found(fmt::format("a turn of {} from pulse to pulse, a beam of {}", degrees(steps->step_rad),
+                                        degrees(steps->width_rad)))
+                     .expected(fmt::format("at most {} from pulse to pulse", degrees(steps->width_rad)))
+                     .hint(fmt::format("turn the beam more slowly, or raise the PRF to at least {}",
+                                       core::with_prefix(prf_hz * steps->step_rad / steps->width_rad, "Hz", 4))));
     problems_.back().subject = {"radar", scene::find_radar(scene_, simulation_.radar), "beam_rate"};
   }
 
@@ -155,7 +151,7 @@ class Surveyor {
     const Weights weights = weights_of(acquisition);
     if (weights.count == 0 || !core::weights_cancel(weights.sum, weights.magnitudes)) return;
     if (weights.magnitudes == 0.0)
-      add("radar", core::warning("window.zero", "the radar's window function leaves nothing: every sample of it is 0")
+      add("radar", core::warning("window.zero", "the radar's window function is zero at every sample")
                        .found(fmt::format("{} samples", weights.count))
                        .expected("a window that is above 0 somewhere")
                        .hint(acquisition.reception.profiler ? "take more frequency steps or another window"
@@ -170,7 +166,7 @@ class Surveyor {
   bool check_bursts(const Acquisition& acquisition) {
     if (acquisition.timing.rows == 0) {
       add("time_end_s",
-          core::error("bursts.none-complete", "the window holds no complete burst of stepped frequencies")
+          core::error("bursts.none-complete", "the window contains no complete burst of stepped frequencies")
               .found(fmt::format("{} pulses", acquisition.timing.pulses.count()))
               .expected(fmt::format("at least {} from the start of a burst", acquisition.timing.row_pulses))
               .hint("lengthen the azimuth window; bursts start at pulse numbers that are multiples of steps times "
@@ -202,7 +198,7 @@ class Surveyor {
     for (std::size_t i = 0; i < survey.surface_faces_radar.size(); ++i)
       if (!survey.surface_faces_radar[i] && !acquisition.scene->sheets[i].points_m.empty())
         problems_.push_back({core::Severity::warning,
-                             "the surface shows its back to the radar and gives no echo" + scope_,
+                             "the surface faces away from the radar and gives no echo" + scope_,
                              "",
                              "a front, where (corner 2 - corner 1) x (corner 3 - corner 1) points, towards the radar",
                              "exchange its second and third corner",
@@ -218,19 +214,19 @@ class Surveyor {
     const std::size_t all = survey.targets.size();
     add("radar",
         core::warning("targets.behind-horizon",
-                      "the Earth stands between the radar and targets: their echoes are computed all the same" + scope_)
+                      "the Earth blocks the line of sight to targets: their echoes are computed nevertheless" + scope_)
             .found(fmt::format("{} of {} target{} behind the horizon, the first of them target {}; {} in the window",
                                totals.hidden, all, all == 1 ? "" : "s", totals.first_hidden + 1,
                                totals.hidden_in_window))
             .expected("targets to which the straight line does not pass through the ellipsoid")
-            .hint("leave them out, or correct their places or the orbit"));
+            .hint("leave them out, or correct their positions or the orbit"));
   }
 
   void check_window(const EchoSurvey& survey, const Acquisition& acquisition, const RangeAmbiguities& others) {
     if (survey.targets.empty()) {
       if (acquisition.scene->sheets.empty())
         add("", core::warning("targets.none",
-                              "the scene has no target: the recording will hold " +
+                              "the scene has no target: the recording will contain " +
                                   std::string(acquisition.reception.noise_stddev_v > 0 ? "noise only" : "zeros only"))
                     .hint("add a $TARGET"));
       return;
@@ -262,14 +258,14 @@ class Surveyor {
     const double prf_hz = 1.0 / acquisition.link.repetition.mean_interval_s();
     if (!(band_hz > prf_hz)) return;
     add("radar",
-        core::warning("prf.below-doppler-band",
-                      "the PRF is below the Doppler band of the scene: azimuth spectra of the targets overlap" + scope_)
+        core::warning(
+            "prf.below-doppler-band",
+            "the PRF is below the Doppler bandwidth of the scene: azimuth spectra of the targets overlap" + scope_)
             .found(fmt::format("PRF {}", core::with_prefix(prf_hz, "Hz", 4)))
             .expected(fmt::format("at least {}", core::with_prefix(band_hz, "Hz", 4)))
-            .hint(fmt::format(
-                "targets away from the centre appear as ghosts {} apart after focusing; raise the PRF, shorten the "
-                "azimuth window or narrow the beam",
-                core::with_prefix(prf_hz, "Hz", 4))));
+            .hint(fmt::format("after focusing, targets have azimuth ambiguities {} apart; raise the PRF, shorten the "
+                              "azimuth window or narrow the beam",
+                              core::with_prefix(prf_hz, "Hz", 4))));
   }
 
   void check_lsb(const EchoSurvey& survey, const Acquisition& acquisition) {

@@ -69,7 +69,7 @@ TEST(Survey, WarnsOfTargetsBehindTheEarth) {
   scene.targets = {target_on("Earth", {0.0, 0.0, 0.0}, 1e9), target_on("Earth", {-5.5e6, 0.0, -3.2e6}, 1e9)};
   scene.simulations[0].range_start_m = 699.9e3;
   scene.simulations[0].range_end_m = 701e3;
-  const auto is_horizon = Field(&core::Problem::message, HasSubstr("the Earth stands between"));
+  const auto is_horizon = Field(&core::Problem::message, HasSubstr("the Earth blocks"));
   core::Problems problems = survey(scene);
   ASSERT_THAT(problems, ::testing::Contains(is_horizon));
   EXPECT_EQ(
@@ -96,7 +96,7 @@ TEST(Survey, WarnsOfASceneWithoutTargets) {
 TEST(Survey, SaysThatThePointsOfASurfaceAreTooFewBelowAWavelengthOfTwoMetres) {
   scene::Scene scene = sound_scene();
   scene.surfaces.push_back({});
-  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::note, "radar", "too thinly for this wavelength")));
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::note, "radar", "too coarse for this wavelength")));
 }
 
 // 200 m/s both ways at 1 GHz: a band of 4 * 200/0.2998 = 2669 Hz.
@@ -158,7 +158,7 @@ TEST(Survey, RefusesATargetAtTheRadarsPosition) {
   scene::Scene scene = sound_scene();
   scene.targets.push_back(target_on("Earth", {}));
   const core::Problems problems = survey(scene);
-  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::error, "position_m", "stands at the position of radar")));
+  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::error, "position_m", "is at the position of radar")));
   EXPECT_EQ(problems[0].subject.kind, "target");
   EXPECT_EQ(problems[0].subject.index, 1u);
 }
@@ -185,9 +185,10 @@ TEST(Survey, WarnsOfEchoesThatComeAfterTheNextPulse) {
   scene::Scene scene = sound_scene();
   scene.radars[0].prf_hz = 200e3;  // 749 m
   const core::Problems problems = survey(scene);
-  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::warning, "radar",
-                                            "arrive after the next pulse has left: rows also hold echoes of"),
-                                    problem(core::Severity::note, "radar", "arrive while the radar sends")));
+  ASSERT_THAT(problems,
+              ElementsAre(problem(core::Severity::warning, "radar",
+                                  "arrive after the next pulse has left: rows also contain range-ambiguous echoes of"),
+                          problem(core::Severity::note, "radar", "arrive while the radar transmits")));
   EXPECT_THAT(problems[0].expected, HasSubstr("749.48"));
   scene.radars[0].prf_hz = 149e3;  // 1006 m
   EXPECT_THAT(survey(scene),
@@ -203,21 +204,23 @@ TEST(Survey, SaysWhichOtherPulsesAreHeardAndWhatThePulseCovers) {
   scene.radars[0].pulse_width_s = 1e-6;
   const core::Problems heard = survey(scene);
   ASSERT_THAT(heard, ElementsAre(problem(core::Severity::warning, "radar",
-                                         "of 2 of 2 targets arrive after the next pulse has left: rows also hold "
-                                         "echoes of the pulse before and the pulse after theirs")));
-  EXPECT_THAT(heard[0].found, HasSubstr("; the strongest echo is among them, antennas ignored"));
+                                         "of 2 of 2 targets arrive after the next pulse has left: rows also contain "
+                                         "range-ambiguous echoes of the pulse before and the pulse after their own")));
+  EXPECT_THAT(heard[0].found, HasSubstr("; the strongest echo is among them, antenna patterns not applied"));
   scene.options.ambiguous_echoes = scene::AmbiguousEchoes::all;
-  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::note, "radar", "rows also hold echoes of")));
+  EXPECT_THAT(survey(scene),
+              ElementsAre(problem(core::Severity::note, "radar", "rows also contain range-ambiguous echoes of")));
   scene.options.ambiguous_echoes = scene::AmbiguousEchoes::none;
   EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "radar", "are left out")));
   scene.options.ambiguous_echoes = scene::AmbiguousEchoes::all;
   scene.targets.pop_back();
   scene.targets[0].position_m.x = 800.0;  // 0.33 us after the next pulse
-  EXPECT_THAT(survey(scene), testing::Contains(problem(core::Severity::note, "radar",
-                                                       "echoes of 1 of 1 targets arrive while the radar sends; the "
-                                                       "receiver is taken to go on")));
+  EXPECT_THAT(survey(scene),
+              testing::Contains(problem(
+                  core::Severity::note, "radar",
+                  "echoes of 1 of 1 targets arrive while the radar transmits; the receiver is assumed to stay on")));
   scene.options.eclipsing = scene::Eclipsing::blanked;
-  EXPECT_THAT(survey(scene), testing::Contains(problem(core::Severity::note, "radar", "sends and are cut")));
+  EXPECT_THAT(survey(scene), testing::Contains(problem(core::Severity::note, "radar", "transmits and are blanked")));
 }
 
 TEST(Survey, ReportsBurstsThatAreMissingOrCut) {
@@ -242,7 +245,7 @@ TEST(Survey, WarnsOfASurfaceThatShowsItsBackToTheRadar) {
   EXPECT_THAT(survey(scene), IsEmpty());
   std::swap(scene.surfaces[1].corner_m[1], scene.surfaces[1].corner_m[2]);
   const core::Problems problems = survey(scene);
-  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::warning, "corner_m", "shows its back")));
+  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::warning, "corner_m", "faces away")));
   EXPECT_EQ(problems[0].subject.kind, "surface");
   EXPECT_EQ(problems[0].subject.index, 1u);
   scene.platforms[0].position_m = {};
@@ -260,13 +263,13 @@ TEST(Survey, WarnsOfAWindowThatLeavesNothing) {
   scene.simulations[0].processing = scene::Processing::matched_filter;
   EXPECT_THAT(survey(scene), IsEmpty());
   scene.simulations[0].sample_rate_hz = 1.0 / 5e-6;  // one sample a pulse, at its leading edge
-  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "radar", "leaves nothing")));
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "radar", "is zero at every sample")));
   scene.simulations[0].processing = scene::Processing::srp;
   scene.radars[0].carrier = scene::Radar::Carrier::stepped;
   scene.radars[0].carrier_step_hz = 1e6;
   scene.radars[0].carrier_steps = 2;
   scene.radars[0].pulses_per_step = 1;
-  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "radar", "leaves nothing")));
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "radar", "is zero at every sample")));
   scene.radars[0].carrier_steps = 4;
   EXPECT_THAT(survey(scene), IsEmpty());
 }
@@ -319,7 +322,7 @@ TEST(Survey, NamesThePulseAtWhichTheRadarMeetsATarget) {
   scene.radars[0].platform = "Flight";
   scene.targets = {target_on("Earth", {0, 0, 0}), target_on("Earth", {5, 300, 0})};
   const core::Problems problems = survey(scene);
-  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::error, "position_m", "stands at the position of radar")));
+  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::error, "position_m", "is at the position of radar")));
   EXPECT_THAT(problems[0].message, HasSubstr("(pulse 101, 0.101 s)"));
   EXPECT_EQ(problems[0].subject.index, 0U);
   scene.targets = {target_on("Earth", {0, 1, 0})};

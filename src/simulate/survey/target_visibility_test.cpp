@@ -115,7 +115,7 @@ TEST(VisibilityRules, NoticeAnglesThatWereExchanged) {
   scene::Scene scene = strip();
   scene.radars[0].beam_azimuth = core::Angle::from_deg(-11.537);
   scene.radars[0].beam_elevation = core::Angle::from_deg(0.0);
-  EXPECT_THAT(said(scene), HasSubstr("Azimuth and elevation look exchanged"));
+  EXPECT_THAT(said(scene), HasSubstr("Azimuth and elevation seem to be swapped"));
 }
 
 TEST(VisibilityRules, NoticeABeamThatPointsTheOppositeWayAndThatNothingIsReceived) {
@@ -140,7 +140,7 @@ TEST(VisibilityRules, WarnOfEchoesThatDrownInNoise) {
   scene::Scene scene = strip();
   scene.radars[0].power_w = 1.0;
   scene.radars[0].noise_temperature_k = 300.0;
-  EXPECT_THAT(said(scene), HasSubstr("the echoes drown in noise"));
+  EXPECT_THAT(said(scene), HasSubstr("the echoes have too low an SNR"));
   scene.radars[0].power_w = 1e6;
   EXPECT_EQ(said(scene), "");
 }
@@ -185,7 +185,7 @@ TEST(VisibilityRules, DoNotAdviseALowerPrfFromOrbit) {
   scene.simulations[0].range_start_m = 848e3;
   scene.simulations[0].range_end_m = 849e3;
   const std::string text = said(scene);
-  EXPECT_THAT(text, HasSubstr("22 pulses are under way at once"));
+  EXPECT_THAT(text, HasSubstr("22 pulses are in flight at once"));
   EXPECT_EQ(text.find("lower the PRF"), std::string::npos);
 }
 

@@ -70,9 +70,8 @@ class VisibilityRules {
           }))
         return false;
       add("simulation", "",
-          core::warning(
-              "targets.reflect-nothing",
-              "no echo is received: the targets reflect nothing to the radar while the beam is on them" + scope_)
+          core::warning("targets.reflect-nothing",
+                        "no echo is received: no target reflects towards the radar while it is illuminated" + scope_)
               .expected("a target with a radar cross-section above 0 that faces the radar"));
       return false;
     }
@@ -115,7 +114,7 @@ class VisibilityRules {
     if (meets(other)) return upwards(beam);
     other.azimuth_rad = beam.elevation_rad;
     other.elevation_rad = beam.azimuth_rad;
-    if (meets(other)) return "Azimuth and elevation look exchanged: in a script the elevation comes first.";
+    if (meets(other)) return "Azimuth and elevation seem to be swapped: in a script the elevation comes first.";
     other = beam;
     other.azimuth_rad = beam.azimuth_rad + core::pi;
     if (meets(other)) return "The beam points the opposite way: add 180 degrees to its azimuth.";
@@ -128,8 +127,8 @@ class VisibilityRules {
 
   [[nodiscard]] static std::string upwards(const radar::Beam& beam) {
     return fmt::format(
-        "The sign of the elevation is wrong: write {:g}. Elevation is positive upwards; a beam that "
-        "looks down has a negative elevation.",
+        "The sign of the elevation is wrong: write {:g}. Elevation is positive upwards; a beam that points down has a "
+        "negative elevation.",
         shown_deg(-beam.elevation_rad));
   }
 
@@ -138,10 +137,11 @@ class VisibilityRules {
     const TargetVisibility& best = *std::ranges::max_element(sights_, {}, &TargetVisibility::processed_snr);
     if (best.processed_snr >= min_snr) return;
     add("simulation", "",
-        core::warning("noise.drowns-echoes", "the echoes drown in noise: no processing finds a target" + scope_)
-            .found(fmt::format("target {}: SNR {:.1f} dB per pulse, {:.1f} dB with all pulses added", best.target + 1,
-                               core::power_db(best.snr), core::power_db(best.processed_snr)))
-            .expected(fmt::format("{:.0f} dB or more with all pulses added", core::power_db(min_snr)))
+        core::warning("noise.drowns-echoes",
+                      "the echoes have too low an SNR for detection, even after integrating all pulses" + scope_)
+            .found(fmt::format("target {}: SNR {:.1f} dB per pulse, {:.1f} dB with all pulses integrated",
+                               best.target + 1, core::power_db(best.snr), core::power_db(best.processed_snr)))
+            .expected(fmt::format("{:.0f} dB or more with all pulses integrated", core::power_db(min_snr)))
             .hint(fmt::format(
                 "Raise power, antenna gains, pulse width or cross-sections by {:.0f} dB, or lower the noise "
                 "temperature (0: no noise).",
@@ -199,7 +199,7 @@ class VisibilityRules {
         core::ProblemBuilder(
             leaves ? core::Severity::warning : core::Severity::note, "range-window.cuts-echoes",
             too_short
-                ? "the slant range window is shorter than the pulse: no echo is recorded whole"
+                ? "the slant range window is shorter than the pulse: no echo is recorded completely"
                 : fmt::format("the slant range window cuts the echoes of {} of {} targets ({}) while the beam is on "
                               "them: their images are weaker and wider, or missing{}",
                               cut.size(), sights_.size(), list_of(cut), scope_))
@@ -229,15 +229,13 @@ class VisibilityRules {
         missed.push_back(s.target + 1);
     if (missed.empty() || best_pattern(sights_) < min_pattern) return;
     add("simulation", "time_start_s",
-        core::note(
-            "beam.passes-outside-window",
-            fmt::format(
-                "the beam passes {} of {} targets ({}) before or after the azimuth window: their images are weak, at "
-                "its edge or outside of it{}",
-                missed.size(), sights_.size(), list_of(missed), scope_))
+        core::note("beam.passes-outside-window",
+                   fmt::format("the beam passes {} of {} targets ({}) before or after the azimuth window: their images "
+                               "are weak, at the image edge or outside the image{}",
+                               missed.size(), sights_.size(), list_of(missed), scope_))
             .found(fmt::format("{} to {} s", core::format_number(acquisition_.simulation.time_start_s),
                                core::format_number(acquisition_.simulation.time_end_s)))
-            .expected("a window in which the beam passes all targets that are meant to be seen"));
+            .expected("a window in which the beam passes all targets of interest"));
   }
 
   // Points that fill a surface stand a metre apart: at short wavelengths they form a lattice that reflects to the side.
@@ -247,12 +245,12 @@ class VisibilityRules {
     if (acquisition_.scene->sheets.empty() || wavelength_m >= 2.0) return;
     add("simulation", "radar",
         core::note("surfaces.too-few-points",
-                   "surfaces are filled with a point per square metre, too thinly for this wavelength: off the mirror "
-                   "direction their echoes are those of the points, up to the strength of the mirror itself")
+                   "surfaces are sampled at one point per square metre, too coarse for this wavelength: away from the "
+                   "specular direction, grating lobes as strong as the specular echo appear")
             .found(fmt::format("a wavelength of {}", core::with_prefix(wavelength_m, "m", 3)))
             .expected("2 m or more")
-            .hint("The echo in the mirror direction is off by up to 10 dB at 10 m to 1 m and 40 dB at 3 cm. Use "
-                  "targets."));
+            .hint("The specular echo has errors of up to 10 dB at wavelengths of 10 m to 1 m, and of 40 dB at 3 cm. "
+                  "Use targets."));
   }
 
   // The Doppler band of the beam of an antenna that moves.
@@ -271,7 +269,7 @@ class VisibilityRules {
     if (band_hz <= prf_hz) return;
     add("radar", "prf_hz",
         core::note("prf.below-beam-band",
-                   "the beam holds a wider Doppler band than the PRF samples: points off its middle may wrap around")
+                   "the beam's Doppler bandwidth exceeds the PRF: targets away from beam centre may be aliased")
             .found(fmt::format("PRF {}", core::with_prefix(prf_hz, "Hz", 4)))
             .expected(fmt::format("at least {} for all of the beam", core::with_prefix(band_hz, "Hz", 4))));
   }

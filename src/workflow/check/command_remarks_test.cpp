@@ -62,18 +62,18 @@ TEST(RemarksOfCommands, AreNoneForSoundScenes) {
 }
 
 TEST(RemarksOfCommands, NameDopplerWhereTargetsMoveBeforeANoisyRadarThatRests) {
-  EXPECT_THAT(said(noisy(40.0)), HasSubstr("warning: sarsim doppler: 1 of 1 targets move faster than the PRF"));
+  EXPECT_THAT(said(noisy(40.0)), HasSubstr("warning: sarsim doppler: 1 of 1 targets exceed the unambiguous speed"));
   EXPECT_EQ(said(pulse_scene(40.0)), "") << "nobody detects without noise";
   // 64 pulses of 4 kHz and a cell of 15 m.
   scene::Scene fast = noisy(29.0);
   fast.radars[0].bandwidth_hz = 500e6;
   fast.simulations[0].sample_rate_hz = 600e6;
-  EXPECT_THAT(said(fast), HasSubstr("sarsim doppler: targets move through more than a cell of range"));
+  EXPECT_THAT(said(fast), HasSubstr("sarsim doppler: targets migrate through more than a cell of range"));
 }
 
 TEST(RemarksOfCommands, NameSearchWhereTheBeamTurns) {
   const std::string text = said(sweeping(40.0));
-  EXPECT_THAT(text, HasSubstr("note: sarsim search: 1 of 1 targets move faster than the PRF"));
+  EXPECT_THAT(text, HasSubstr("note: sarsim search: 1 of 1 targets exceed the unambiguous speed"));
   EXPECT_THAT(text, Not(HasSubstr("doppler")));
   scene::Scene silent = sweeping(40.0);
   silent.radars[0].noise_temperature_k = 0.0;
@@ -99,13 +99,13 @@ TEST(RemarksOfCommands, SayOnceWhatTwoCommandsSay) {
 TEST(RemarksOfCommands, NameIsarWhereTheTargetTurnsTooFar) {
   scene::Scene scene = stepped(0.0);
   scene.platforms.back().rotation_rate[2] = core::Angle::from_deg(900.0);
-  EXPECT_THAT(said(scene), HasSubstr("warning: sarsim isar: the target turns so far"));
+  EXPECT_THAT(said(scene), HasSubstr("warning: sarsim isar: the target rotates so far"));
 }
 
 TEST(RemarksOfCommands, NameFocusWhereTheRadarFliesPastTargetsThatRest) {
   const std::string ghosts = said(sar_scene(300.0, {{0.0, 150.0, 0.0}, {}, {0.0, -150.0, 0.0}}));
   EXPECT_THAT(ghosts, HasSubstr("sarsim focus: echoes of "));
-  EXPECT_THAT(ghosts, HasSubstr("they show as smeared ghosts"));
+  EXPECT_THAT(ghosts, HasSubstr("they cause smeared azimuth ambiguities"));
   scene::Scene movers = sar_scene(600.0, {{}});
   movers.platforms.push_back(simulate::moving("Car", {}, {5.0, 0.0, 0.0}));
   movers.targets.push_back(simulate::target_on("Car", {}));
@@ -142,15 +142,16 @@ TEST(RemarksOfCommands, SayThatOnlyBackProjectionFocusesUnevenPulses) {
   ASSERT_EQ(said(scene), "");
   scene.radars[0].repetition = scene::Radar::Repetition::user;
   scene.radars[0].pri_s.part[0] = {core::Interpolation::linear, {{0.0, 1.0 / 600.0}, {1.0, 1.3 / 600.0}}};
-  EXPECT_THAT(said(scene),
-              HasSubstr("note: sarsim focus: back-projection instead of omega-k: the distance between pulses changes"));
+  EXPECT_THAT(
+      said(scene),
+      HasSubstr("note: sarsim focus: back-projection instead of omega-k: the along-track pulse spacing changes"));
 }
 
 TEST(RemarksOfCommands, AskEachCommandOnceForARadar) {
   scene::Scene scene = noisy(40.0);
   scene.simulations.push_back(scene.simulations[0]);
   const std::string once = said(scene);
-  EXPECT_EQ(once.find("move faster"), once.rfind("move faster"));
+  EXPECT_EQ(once.find("exceed the unambiguous"), once.rfind("exceed the unambiguous"));
 }
 
 TEST(RemarksOfCommands, StandAtTheirSimulation) {

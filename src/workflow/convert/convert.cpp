@@ -337,10 +337,10 @@ class Conversion {
     constexpr int max_bits = 64;
     if (!std::isfinite(tally_.maximum_v)) return "some of the numbers are infinite";
     if (change_ == Change::to_counts)
-      return fmt::format("an LSB of {:.6G} V would hold them all",
+      return fmt::format("an LSB of {:.6G} V would avoid clipping",
                          tally_.maximum_v / radar::full_scale_count(product_.bits));
     if (product_.bits < max_bits && tally_.maximum_v <= radar::full_scale_count(max_bits))
-      return "more --bits would hold them all";
+      return "more --bits would avoid clipping";
     return fmt::format("{} are the most that counts can have", max_bits);
   }
 
@@ -392,8 +392,7 @@ class Conversion {
 ConvertReport convert(const ConvertRequest& request, const core::Observer& observer) {
   if (is_sicd(request.output) && !request.to) return convert_to_sicd(request, observer);
   if (request.anchor)
-    throw core::InvalidRequest("--anchor says where a SICD file lies on the Earth",
-                               "name the output .nitf, or leave it out");
+    throw core::InvalidRequest("--anchor places a SICD file on the Earth", "name the output .nitf, or leave it out");
   if (request.simulation && request.sample.script.empty())
     throw core::InvalidRequest("--simulation is a number in a script", "name it with --script");
   const raster::RasterHints hints =

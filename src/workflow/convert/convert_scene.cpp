@@ -81,8 +81,8 @@ core::Problems convert_scene(const ConvertSceneRequest& request, const core::Wor
   if (!language) {
     const auto format = raster::format_from_path(request.output);
     throw core::InvalidRequest(
-        fmt::format("'{}' names no language of scenes", request.output),
-        format ? fmt::format("to record the scene: sarsim run {} --format {}", request.input, format_word(*format))
+        fmt::format("'{}' has no extension of a scene format", request.output),
+        format ? fmt::format("to record the scene, use sarsim run {} --format {}", request.input, format_word(*format))
                : "end it with .toml for format 2 or .scr for the language of 1998");
   }
   const SceneInput input = read_scene(request.input, request.overrides, CheckLevel::files, control);
@@ -96,7 +96,7 @@ core::Problems convert_scene(const ConvertSceneRequest& request, const core::Wor
   if (*language == scene::Language::format_2 &&
       core::valid_utf8(text_of_names(input.scene)) != text_of_names(input.scene))
     remarks.push_back(
-        core::warning("names that are not in UTF-8 were taken for Latin-1").hint("look at the names in the new file"));
+        core::warning("names that are not in UTF-8 were taken for Latin-1").hint("check the names in the new file"));
   const fs::path from = fs::absolute(request.input).parent_path().lexically_normal();
   const fs::path to = fs::absolute(request.output).parent_path().lexically_normal();
   if (from != to && !data_files_of(input.scene, fs::path(request.input).parent_path()).empty())

@@ -113,7 +113,7 @@ TEST_F(Convert, CountsWhatItClips) {
   EXPECT_EQ(report.tally.saturated, 1U);
   ASSERT_EQ(report.remarks.size(), 1U);
   EXPECT_EQ(core::to_string(report.remarks.front()),
-            "warning: 1 of 6 samples were clipped to 4 bits; more --bits would hold them all");
+            "warning: 1 of 6 samples were clipped to 4 bits; more --bits would avoid clipping");
 }
 
 TEST_F(Convert, RefusesWithAllThatIsNotKnown) {

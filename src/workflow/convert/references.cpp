@@ -202,8 +202,8 @@ std::vector<raster::StoredArray> arrays_of(const raster::Raster& raster, const c
   const raster::Format& format = *raster.info().format;
   if (format.arrays == nullptr)
     throw core::InvalidRequest(
-        fmt::format("--references: the numbers of '{}' ({}) do not stand in the file as programs have them in memory",
-                    file.path().string(), raster::word_of(format)),
+        fmt::format("--references: the numbers of '{}' ({}) are not stored in native binary form", file.path().string(),
+                    raster::word_of(format)),
         "convert it to .h5, .npy or .zarr first");
   auto arrays = format.arrays(file, hints);
   if (auto* problem = std::get_if<core::Problem>(&arrays)) {

@@ -35,7 +35,7 @@ void expect_exchangeable(const simulate::Acquisition& acquisition, core::Problem
             .expected("raw processing")
             .hint("name the scene, from which raw pulses are computed, or record with processing = \"raw\""));
   if (acquisition.link.stc != scene::Radar::Stc::none)
-    problems.push_back(core::error("STC changes the amplitudes along a row, which the standard does not know")
+    problems.push_back(core::error("STC changes the amplitudes along a row, which the standard cannot describe")
                            .found("STC")
                            .expected("no STC")
                            .hint("leave out the STC of the radar"));

@@ -24,7 +24,7 @@ void expect_divisible(const Collection& collection, const HistoryShape& shape, c
   const DelaySpan whole = whole_echoes(acquisition);
   if (!(whole.first_s < whole.last_s))
     throw core::InvalidRequest(
-        {core::error("the recorded window is shorter than the pulse: it holds no echo as a whole")
+        {core::error("the recorded window is shorter than the pulse: it contains no complete echo")
              .found(fmt::format("{:.6g} us", 1e6 * static_cast<double>(acquisition.reception.raw_grid.count) *
                                                  acquisition.reception.raw_grid.interval_s))
              .expected(fmt::format("more than the pulse width, {:.6g} us", 1e6 * acquisition.link.pulse.width_s))
@@ -36,9 +36,11 @@ void expect_divisible(const Collection& collection, const HistoryShape& shape, c
         {core::error("no range around the reference point is recorded in all pulses").hint(other)});
   if (lost > 0.5)
     remarks.push_back(
-        core::warning("export.swath-lost", fmt::format("of the recorded swath {:.0f} % are lost: they are not recorded "
-                                                       "in all pulses around one reference point",
-                                                       100.0 * lost))
+        core::warning(
+            "export.swath-lost",
+            fmt::format(
+                "{:.0f} % of the recorded swath is lost: it is not recorded in all pulses around one reference point",
+                100.0 * lost))
             .hint(other));
   const double share = PhaseHistory(collection, shape).weakest_share(acquisition.timing.rows / 2);
   if (!(share >= min_share))
@@ -48,12 +50,12 @@ void expect_divisible(const Collection& collection, const HistoryShape& shape, c
                                     .hint("use a chirp; CRSD takes any pulse as it is")});
   if (acquisition.scene->options.pulse != scene::PulseDefinition::band_limited)
     remarks.push_back(core::warning("export.pulse-edges",
-                                    "the pulse has hard edges, whose spectrum does not end at half the sampling rate: "
-                                    "the samples of each vector are off by 3 to 7 % (root of the mean square)")
+                                    "the pulse has hard edges, whose spectrum extends beyond half the sampling rate: "
+                                    "the samples of each vector have rms errors of 3 to 7 %")
                           .hint(collection.computed
-                                    ? "add --pulse band-limited, with which they are off by less than 0.1 %"
-                                    : "convert the scene in place of its recording, with which they are off by less "
-                                      "than 0.1 %: sarsim convert SCENE OUT.cphd --pulse band-limited"));
+                                    ? "add --pulse band-limited, which reduces the error below 0.1 %"
+                                    : "convert the scene in place of its recording, which reduces the error below 0.1 "
+                                      "%: sarsim convert SCENE OUT.cphd --pulse band-limited"));
 }
 
 // Several vectors as bytes: enough work for a thread.

@@ -13,26 +13,23 @@ OptionTable<ExportRequest> exchange_option_table() {
   for (const raster::SignalEncodingName& entry : raster::signal_encodings)
     encodings.emplace_back(core::lower_case(entry.name), entry.encoding);
   OptionTable<ExportRequest> table;
-  table.choice(
-      "--encoding", encodings,
-      "of CPHD and CRSD: samples as floats (default), or as integers of 16 or 8 bits with a scale for each pulse",
-      &ExportRequest::encoding);
-  table.text(
-      "--reference-point", "POINT",
-      "of CPHD and CRSD: what phases are relative to: fixed, the middle of the scene (default); moving, with the "
-      "flight; or X,Y,Z in m",
-      [](ExportRequest& request, const std::string& word) { request.reference = reference_point_from(word); });
+  table.choice("--encoding", encodings,
+               "samples of CPHD and CRSD: floats (default), or 16- or 8-bit integers with a scale for each pulse",
+               &ExportRequest::encoding);
+  table.text("--reference-point", "POINT",
+             "phase reference of CPHD and CRSD: fixed, the scene centre (default); moving along with the flight; or "
+             "X,Y,Z in m",
+             [](ExportRequest& request, const std::string& word) { request.reference = reference_point_from(word); });
   return table;
 }
 
 OptionTable<ExportRequest> export_option_table() {
   OptionTable<ExportRequest> table = exchange_option_table();
-  table.text("--out", "FILE", "file to write; .cphd or .crsd says which standard",
+  table.text("--out", "FILE", "file to write; its extension, .cphd or .crsd, selects the standard",
              [](ExportRequest& request, const std::string& word) { request.output = word; });
   table.text(
       "--anchor", "LAT,LON,HEIGHT[,HEADING]",
-      "of a flat scene: its origin on the Earth, in degrees and m over the ellipsoid, and the direction of +y "
-      "from north",
+      "where the origin of a flat scene is on the Earth (degrees, m above the ellipsoid), and the heading of +y",
       [](ExportRequest& request, const std::string& word) { request.anchor = anchor_from_text(word, "--anchor"); });
   table.flag("--force", "replace the file where it exists", &ExportRequest::force);
   return table;

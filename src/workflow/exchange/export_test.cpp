@@ -413,7 +413,7 @@ TEST(ExportCphd, WarnsOfHardEdges) {
   ExportRequest request = scene.request("hard.cphd");
   request.input.overrides.pulse = scene::PulseDefinition::ideal;
   export_recording(request, hears(heard));
-  EXPECT_THAT(words_of(heard), HasSubstr("off by 3 to 7 %"));
+  EXPECT_THAT(words_of(heard), HasSubstr("rms errors of 3 to 7 %"));
 }
 
 TEST(ExportCphd, RefusesWhatCannotBe) {

@@ -22,9 +22,9 @@ core::Problems diagnose_air(const simulate::Acquisition& acquisition) {
   std::string found = fmt::format("{:.3g} m of excess path, one way, at a range of {}", one_way.delay_m,
                                   core::with_prefix(range_m, "m", 6));
   if (one_way.phase_m != one_way.delay_m) found += fmt::format("; {:.3g} m for the phase", one_way.phase_m);
-  return {core::note("focus.air-not-corrected", "focusing does not correct the delay by the atmosphere")
+  return {core::note("focus.air-not-corrected", "focusing does not correct the atmospheric delay")
               .found(std::move(found))
-              .hint(fmt::format("targets appear about {:.3g} m farther away in range than they are", one_way.delay_m))};
+              .hint(fmt::format("the range error of targets is about {:.3g} m", one_way.delay_m))};
 }
 
 }  // namespace sarsim::workflow

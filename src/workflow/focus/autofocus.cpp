@@ -59,7 +59,7 @@ void expect_memory(const signal::FocusedImage& image, double piece_m, std::size_
   const double rows = static_cast<double>(image.azimuth.count);
   const double bytes = columns * (3.0 * 8.0 * rows + 3.0 * 16.0 * piece_m / image.azimuth.step_m);
   if (memory_bytes == 0 || bytes <= static_cast<double>(memory_bytes)) return;
-  throw core::InvalidRequest(fmt::format("autofocus holds the image in memory, {}, but --memory allows {}",
+  throw core::InvalidRequest(fmt::format("autofocus needs the whole image in memory, {}, but --memory allows {}",
                                          core::bytes_text(bytes), core::bytes_text(static_cast<double>(memory_bytes))),
                              "allow more, or do without --autofocus");
 }
@@ -77,7 +77,7 @@ double piece_of(const signal::FocusedImage& axes, const AutofocusChoice& choice,
   if (!(choice.piece_m > 0.0)) return std::clamp(share_of_aperture * aperture_m, min_m, length_m);
   if (!(choice.piece_m >= min_m && choice.piece_m <= length_m))
     throw core::InvalidRequest(
-        fmt::format("autofocus cannot work on pieces of {:.4g} m", choice.piece_m),
+        fmt::format("autofocus cannot use sub-apertures of {:.4g} m", choice.piece_m),
         fmt::format("--autofocus-piece: {:.4g} to {:.4g} m, sixteen rows to the whole image", min_m, length_m));
   return choice.piece_m;
 }
@@ -289,7 +289,8 @@ std::string failure_of(const AutofocusFinding& finding) {
                        finding.contrast_after);
   if (finding.points == 0) return "no point stands out of the image";
   if (finding.point_level_db && *finding.point_level_db < dead_db)
-    return fmt::format("the points stay {:.1f} dB below what their echoes give", -*finding.point_level_db);
+    return fmt::format("the points stay {:.1f} dB below the peaks expected from their echoes",
+                       -*finding.point_level_db);
   // The SNR alone grows, too, where points smear and the noise around them, their side lobes, falls.
   if (!(finding.point_gain_db >= 0.0))
     return fmt::format("the peaks of the points fall by {:.2f} dB", -finding.point_gain_db);
@@ -308,12 +309,13 @@ core::Problems diagnose_autofocus(const AutofocusFinding& finding) {
   constexpr double small_rad = 0.1;
   const bool matters = finding.rms_rad > small_rad;
   return {
-      core::ProblemBuilder(
-          matters ? core::Severity::warning : core::Severity::note, "focus.autofocus-failed",
-          fmt::format(
-              "autofocus failed: it found {:.3g} rad rms in pieces of {:.4g} m, but {}; the image is left as it was",
-              finding.rms_rad, finding.piece_m, failure))
-          .hint(matters ? "try another --autofocus-piece, or give focus the flown track with --script" : "")};
+      core::ProblemBuilder(matters ? core::Severity::warning : core::Severity::note, "focus.autofocus-failed",
+                           fmt::format("autofocus failed: it estimated {:.3g} rad rms (sub-apertures of {:.4g} m), but "
+                                       "{}; the image is unchanged",
+                                       finding.rms_rad, finding.piece_m, failure))
+          .hint(matters
+                    ? "try another sub-aperture length (--autofocus-piece), or give focus the flown track with --script"
+                    : "")};
 }
 
 void write_phase(const AutofocusFinding& finding, const std::filesystem::path& path, bool replace) {

@@ -50,7 +50,7 @@ TEST(AutofocusFailure, IsAGainThatNoiseHasAsWell) {
   EXPECT_EQ(failure_of(found), "");
   found = finding(2.44, 12.326, 12.262);
   found.point_level_db = -31.0;
-  EXPECT_THAT(failure_of(found), HasSubstr("31.0 dB below what their echoes give"));
+  EXPECT_THAT(failure_of(found), HasSubstr("31.0 dB below the peaks expected from their echoes"));
   // Half of 0.4 rad squared nepers of power.
   found = finding(0.4, 12.0, 11.99);
   found.point_snr_after_db = 0.5 * 10.0 * std::log10(std::exp(1.0)) * 0.16 + 0.001;
@@ -76,7 +76,7 @@ TEST(AutofocusFailure, IsAWarningOfWhatIsNotTakenOut) {
   const core::Problems failed = diagnose_autofocus(finding(15.8, 16.196, 16.194));
   ASSERT_EQ(failed.size(), 1U);
   EXPECT_EQ(failed[0].severity, core::Severity::warning);
-  EXPECT_THAT(failed[0].message, HasSubstr("autofocus failed: it found 15.8 rad rms"));
+  EXPECT_THAT(failed[0].message, HasSubstr("autofocus failed: it estimated 15.8 rad rms"));
   EXPECT_EQ(diagnose_autofocus(finding(0.02, 9.0, 9.1)).at(0).severity, core::Severity::note);
   EXPECT_TRUE(diagnose_autofocus(finding(4.5, 12.0, 11.0)).empty());
 }

@@ -152,13 +152,12 @@ void remark_on_wrapping(const TargetAspects& looks, const std::vector<AzimuthAmb
       core::ProblemBuilder(
           in_time && largest < little ? core::Severity::note : core::Severity::warning, "focus.ghosts",
           fmt::format(
-              "echoes of {} of {} targets ({}) have Doppler frequencies beyond half the pulse repetition frequency of "
-              "{:.6g} Hz: they show as smeared ghosts of up to {:.0f} % of their echoes, at azimuths from {:.0f} to "
-              "{:.0f} m{}",
+              "echoes of {} of {} targets ({}) have Doppler frequencies beyond half the PRF of {:.6g} Hz: they cause "
+              "smeared azimuth ambiguities of up to {:.0f} % of their amplitude, at azimuths from {:.0f} to {:.0f} m{}",
               wrapped.size(), looks.targets(), target_list(wrapped), 1.0 / looks.track().interval_s, 100.0 * largest,
               nearest_m, farthest_m,
               in_time ? "" : fmt::format(", and peaks lose up to {:.2g} dB, except by back-projection", lost_db)))
-          .hint("send more pulses per second, or keep a smaller band with --doppler-bandwidth"));
+          .hint("raise the PRF, or process a smaller band with --doppler-bandwidth"));
 }
 
 // Some targets, and what of their echoes is not recorded.
@@ -183,11 +182,10 @@ void remark_on_swath(const std::vector<SarTarget>& targets, core::Problems& prob
     if (target.amplitude > 0.0 && !target.in_swath) (target.recorded ? leaving : outside).add(target);
   const auto remark = [&](const PartlyRecorded& some, std::string message) {
     if (some.numbers.empty()) return;
-    problems.push_back(
-        core::warning("focus.targets-not-recorded", std::move(message)).hint("record a wider window of ranges"));
+    problems.push_back(core::warning("focus.targets-not-recorded", std::move(message)).hint("widen the range window"));
   };
   remark(outside,
-         fmt::format("{} of {} targets ({}) are never within the recorded ranges: the image does not show them",
+         fmt::format("{} of {} targets ({}) are never within the recorded ranges and are missing from the image",
                      outside.numbers.size(), targets.size(), target_list(outside.numbers)));
   remark(leaving,
          fmt::format("{} of {} targets ({}) leave the recorded ranges for some pulses: their images are weaker "
@@ -202,14 +200,13 @@ void remark_on_cut_echoes(const std::vector<SarTarget>& targets, core::Problems&
     if (target.amplitude > 0.0 && target.in_swath && !target.whole) cut.add(target);
   if (cut.numbers.empty()) return;
   problems.push_back(
-      core::warning(
-          "focus.echoes-cut",
-          fmt::format("{} of {} targets ({}) lie within a pulse's length of the end of the raw recording, which holds "
-                      "only the beginning of their echoes: their images are weaker, and wider in range; the peak of "
-                      "target {} loses {:.2g} dB{}",
-                      cut.numbers.size(), targets.size(), target_list(cut.numbers), cut.worst + 1, cut.lost_db(),
-                      cut.among_others()))
-          .hint("record farther, by half of c times the pulse width, or focus the script"));
+      core::warning("focus.echoes-cut",
+                    fmt::format("{} of {} targets ({}) are within a pulse length of the end of the raw recording, "
+                                "which contains only the beginning of their echoes: their responses are weaker, and "
+                                "wider in range; the peak of target {} loses {:.2g} dB{}",
+                                cut.numbers.size(), targets.size(), target_list(cut.numbers), cut.worst + 1,
+                                cut.lost_db(), cut.among_others()))
+          .hint("extend the range window by c/2 times the pulse width, or focus the script"));
 }
 
 // The band that the azimuth beam of a sin(x)/x antenna holds: 2 V/wavelength times its width, two-way.
@@ -223,19 +220,21 @@ void remark_on_beam(const simulate::Acquisition& acquisition, const TargetAspect
   // What is beyond the kept band wraps around into it only from one repetition frequency away.
   const double kept_hz = kept.width_hz > 0.0 ? std::min(kept.width_hz, prf_hz) : prf_hz;
   if (band_hz <= 2.0 * prf_hz - kept_hz) return;
-  problems.push_back(core::note(
-      "focus.beam-band", fmt::format("the antenna's beam holds a Doppler band of {:.4g} Hz, more than the {:.4g} Hz "
-                                     "that the pulses sample: points off its middle may wrap around",
-                                     band_hz, prf_hz)));
+  problems.push_back(
+      core::note("focus.beam-band", fmt::format("the beam has a Doppler band of {:.4g} Hz, wider than the PRF of "
+                                                "{:.4g} Hz: targets away from beam centre may be aliased",
+                                                band_hz, prf_hz)));
 }
 
 void remark_on_sampling(const signal::SarWaveform& waveform, core::Problems& problems) {
   const double ratio = waveform.sample_rate_hz / std::abs(waveform.bandwidth_hz);
   if (ratio < 1.0 || ratio >= 1.1) return;
   problems.push_back(
-      core::warning("focus.low-sampling-rate", fmt::format("the sampling rate is only {:.3f} times the bandwidth: "
-                                                           "interpolation in range leaves errors of some per cent",
-                                                           ratio))
+      core::warning(
+          "focus.low-sampling-rate",
+          fmt::format(
+              "the sampling rate is only {:.3f} times the bandwidth: range interpolation has errors of a few per cent",
+              ratio))
           .hint("sample at 1.2 times the bandwidth or more"));
 }
 

@@ -88,7 +88,7 @@ TEST(RemarksOnSar, AreNoneForASoundScene) { EXPECT_EQ(remarks(sar_scene(600.0, {
 TEST(RemarksOnSar, NameTheTargetsThatWrapAround) {
   const std::string text = remarks(sar_scene(300.0, {{0.0, 150.0, 0.0}, {}, {0.0, -150.0, 0.0}}));
   EXPECT_NE(text.find("echoes of 2 of 3 targets (1, 3)"), std::string::npos) << text;
-  EXPECT_NE(text.find("ghosts"), std::string::npos) << text;
+  EXPECT_NE(text.find("azimuth ambiguities"), std::string::npos) << text;
 }
 
 // An image by back-projection that is right is not warned of for a ghost of a few per cent somewhere else.
@@ -132,7 +132,7 @@ TEST(RemarksOnSar, NameTargetsWhoseEchoesTheEndOfARawRecordingCuts) {
   EXPECT_TRUE(targets[1].whole);
   const core::Problems problems = diagnose_sar(*acquisition, recorded, {}, AmbiguitiesIn::frequency);
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_NE(problems[0].message.find("1 of 2 targets (1) lie within a pulse's length of the end"), std::string::npos)
+  EXPECT_NE(problems[0].message.find("1 of 2 targets (1) are within a pulse length of the end"), std::string::npos)
       << problems[0].message;
   // 41 of 120 m of the echo are left.
   EXPECT_NE(problems[0].message.find("; the peak of target 1 loses 9."), std::string::npos) << problems[0].message;

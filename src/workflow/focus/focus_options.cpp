@@ -71,9 +71,9 @@ void add_band(OptionTable<FocusRequest>& table) {
       .told_late = true;
   table
       .text("--doppler-centroid", "geometry|measured|HZ",
-            "the middle of the Doppler band, as the geometry has it (default), measured, or given", take_centroid)
+            "Doppler centroid: from the geometry (default), measured from the echoes, or in Hz", take_centroid)
       .told_late = true;
-  table.number("--doppler-bandwidth", "HZ", "band to keep about the centroid (default: all)",
+  table.number("--doppler-bandwidth", "HZ", "processed Doppler bandwidth about the centroid (default: all)",
                &FocusRequest::bandwidth_hz);
 }
 
@@ -90,31 +90,30 @@ signal::AxisInterval interval_of(const char* option, const std::string& text) {
 void add_area(OptionTable<FocusRequest>& table) {
   table.text(
       "--azimuth", "FIRST:LAST",
-      "rows of the image, in metres along the track; also beyond what the middle of the record sees, as for images "
-      "of movers (default: half an aperture around the record)",
+      "rows of the image, in metres along the track; may extend beyond the default, e.g. for displaced moving targets "
+      "(default: half an aperture around the record)",
       [](FocusRequest& request, const std::string& word) { request.azimuth_area = interval_of("--azimuth", word); });
   table.text("--range", "FIRST:LAST", "columns of the image, in metres (default: all that are recorded)",
              [](FocusRequest& request, const std::string& word) { request.range_area = interval_of("--range", word); });
 }
 
 void add_grid(OptionTable<FocusRequest>& table) {
-  table.choice<FocusGrid>(
-      "--grid", {{"slant", FocusGrid::slant}, {"ground", FocusGrid::ground}},
-      "columns are slant ranges, or places on level ground: of back-projection (default: slant; ground where the "
-      "antenna flies around, not along a line)",
-      &FocusRequest::grid);
+  table.choice<FocusGrid>("--grid", {{"slant", FocusGrid::slant}, {"ground", FocusGrid::ground}},
+                          "columns in slant range or, for back-projection only, in ground range (default: slant; "
+                          "ground where the antenna circles)",
+                          &FocusRequest::grid);
   table.number("--height", "M",
-               "height of the ground, of back-projection and motion compensation (default: the targets' mean)",
+               "ground height for back-projection and motion compensation (default: the targets' mean)",
                &FocusRequest::ground_m);
   table.flag("--start-stop", "back-projection with the start-stop (stop-and-go) approximation, to show its errors",
              &FocusRequest::start_stop);
 }
 
 void add_history(OptionTable<FocusRequest>& table) {
-  table.text("--channel", "NAME", "of a phase history (CPHD): which channel (default: its reference channel)",
+  table.text("--channel", "NAME", "channel of a phase history (CPHD) (default: its reference channel)",
              &FocusRequest::channel);
   table.choice<int>("--sign", {{"-1", -1}, {"+1", 1}},
-                    "of a phase history (CPHD): sign of its phases, where what the file says is wrong",
+                    "phase sign of a phase history (CPHD), where the file states it wrongly",
                     [](FocusRequest& request, int sign) { request.sign = sign; });
 }
 
@@ -122,31 +121,30 @@ void add_phases(OptionTable<FocusRequest>& table) {
   table.choice<MotionOrder>(
       "--motion-compensation",
       {{"none", MotionOrder::none}, {"first", MotionOrder::first}, {"second", MotionOrder::second}},
-      "corrects the echoes for departures from a straight flight; by default to the second order where the track "
-      "needs it",
+      "compensate deviations from a straight track; by default to second order where the track needs it",
       &FocusRequest::motion);
   table.text("--navigation", "FILE",
-             "motion to focus with in place of the true one: .csv or .oem, as sarsim motion writes",
+             "motion used for focusing instead of the true one: .csv or .oem, as written by sarsim motion",
              &FocusRequest::navigation);
-  table.flag("--autofocus", "remove phase errors that are left, found in the image itself", &FocusRequest::autofocus);
+  table.flag("--autofocus", "remove residual phase errors, estimated from the image itself", &FocusRequest::autofocus);
   table.number("--autofocus-piece", "M",
-               "length of the pieces it looks at one by one (default: a tenth of the synthetic aperture)",
+               "length of the autofocus sub-apertures (default: a tenth of the synthetic aperture)",
                &FocusRequest::autofocus_piece_m);
-  table.text("--autofocus-phase", "FILE.csv", "write the phase that it found along the track",
+  table.text("--autofocus-phase", "FILE.csv", "write the estimated phase error along the track",
              &FocusRequest::autofocus_phase);
 }
 
 void add_work(OptionTable<FocusRequest>& table) {
   table.whole("--threads", 0, 4096, "threads; 0 for one per core (default); never changes a byte",
               &FocusRequest::threads);
-  table.text("--memory", "SIZE", "memory to work in, as 800M or 4G (default: half of what is free); more goes to disk",
+  table.text("--memory", "SIZE",
+             "working memory, such as 800M or 4G (default: half of the free memory); beyond it, disk is used",
              [](FocusRequest& request, const std::string& word) { request.memory_bytes = memory_of(word); });
   table.text("--scratch", "DIR", "where on disk (default: the system's folder for temporary files)",
              &FocusRequest::scratch_folder);
   table.text(
       "--anchor", "LAT,LON,HEIGHT[,HEADING]",
-      "of SICD, for a flat scene: its origin on the Earth, in degrees and m over the ellipsoid, and the direction "
-      "of +y from north",
+      "SICD of a flat scene: where its origin is on the Earth (degrees, m above the ellipsoid), and the heading of +y",
       [](FocusRequest& request, const std::string& word) { request.anchor = anchor_from_text(word, "--anchor"); });
   table.flag("--magnitude", "also an ENVI image of magnitudes, NAME-magnitude.img", &FocusRequest::magnitude);
   table.flag("--force", "replace files that exist", &FocusRequest::force);
@@ -160,15 +158,15 @@ OptionTable<FocusRequest> focus_option_table() {
              fmt::format("image to write: ENVI (.img, default), {} or SICD (.nitf); default: the input's name",
                          raster::image_extensions()),
              &FocusRequest::output);
-  table.choice<FocusAlgorithm>(
-      "--algorithm",
-      {{"auto", FocusAlgorithm::automatic},
-       {"range-doppler", FocusAlgorithm::range_doppler},
-       {"chirp-scaling", FocusAlgorithm::chirp_scaling},
-       {"omega-k", FocusAlgorithm::omega_k},
-       {"back-projection", FocusAlgorithm::back_projection}},
-      "auto (default): omega-k, or back-projection where the flight leaves that less error, if affordable",
-      &FocusRequest::algorithm);
+  table.choice<FocusAlgorithm>("--algorithm",
+                               {{"auto", FocusAlgorithm::automatic},
+                                {"range-doppler", FocusAlgorithm::range_doppler},
+                                {"chirp-scaling", FocusAlgorithm::chirp_scaling},
+                                {"omega-k", FocusAlgorithm::omega_k},
+                                {"back-projection", FocusAlgorithm::back_projection}},
+                               "auto (default): omega-k, or back-projection where that has a smaller residual error on "
+                               "this track, if affordable",
+                               &FocusRequest::algorithm);
   add_band(table);
   add_area(table);
   add_grid(table);

@@ -164,12 +164,10 @@ void remark_on_repetition(const signal::FocusedImage& image, double repeats_m, c
   const double width_m = static_cast<double>(image.azimuth.count) * image.azimuth.step_m;
   if (!(repeats_m < width_m)) return;
   problems.push_back(
-      core::warning(
-          "focus.pulses-too-far-apart",
-          fmt::format(
-              "pulses are too far apart for the image: a point appears again every {:.4g} m in azimuth, unless the "
-              "antenna does not see it from there, and the image is {:.4g} m wide",
-              repeats_m, width_m))
+      core::warning("focus.pulses-too-far-apart",
+                    fmt::format("pulses are too far apart for the image: a point appears again every {:.4g} m in "
+                                "azimuth (azimuth ambiguity) unless outside the beam, and the image is {:.4g} m wide",
+                                repeats_m, width_m))
           .hint(fmt::format("focus a part that is narrower, for instance --azimuth {:.3g}:{:.3g}", -0.45 * repeats_m,
                             0.45 * repeats_m)));
 }
@@ -289,7 +287,7 @@ FocusReport focus_phase_history(const FocusRequest& asked, const core::Observer&
   const raster::CphdDescription& d = file->description();
   const std::size_t channel = channel_named(*file, request.channel);
   if (request.sign && *request.sign == d.sign)
-    report.problems.push_back(core::note("focus.needless-sign", "--sign says what the file says itself"));
+    report.problems.push_back(core::note("focus.needless-sign", "--sign repeats what the file says itself"));
   const radar::EarthFrame earth(anchor_of(d));
   const PhaseHistoryRows rows(file, channel, request.sign, earth);
   constexpr std::size_t max_looks = 1024;

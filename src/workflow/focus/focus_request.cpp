@@ -31,10 +31,9 @@ void expect_options_that_agree(const FocusRequest& request) {
   if (on_ground && request.autofocus)
     throw core::InvalidRequest("--autofocus needs an image of slant range", "leave out --grid ground");
   if (!request.autofocus && (request.autofocus_piece_m || !request.autofocus_phase.empty()))
-    throw core::InvalidRequest("--autofocus-piece and --autofocus-phase say how --autofocus works", "add --autofocus");
+    throw core::InvalidRequest("--autofocus-piece and --autofocus-phase are options of --autofocus", "add --autofocus");
   if (request.anchor && !request.output.empty() && !is_sicd(request.output))
-    throw core::InvalidRequest("--anchor says where a SICD file lies on the Earth",
-                               "name the output .nitf, or leave it out");
+    throw core::InvalidRequest("--anchor places a SICD file on the Earth", "name the output .nitf, or leave it out");
   if (request.autofocus_piece_m && !(*request.autofocus_piece_m > 0.0))
     throw core::InvalidRequest("--autofocus-piece must be above 0", "give metres along the track");
 }

@@ -148,8 +148,8 @@ core::Problems diagnose_outside(const std::vector<SarTarget>& targets, const sig
   for (const SarTarget& target : outside) numbers.push_back(target.target);
   return {core::warning("focus.targets-outside-image",
                         outside.size() == 1
-                            ? fmt::format("target {} lies outside of the image: {}", farthest.target + 1, where)
-                            : fmt::format("{} targets ({}) lie outside of the image: target {}, the farthest, {}",
+                            ? fmt::format("target {} is outside the image: {}", farthest.target + 1, where)
+                            : fmt::format("{} targets ({}) are outside the image: target {}, the farthest, {}",
                                           outside.size(), target_list(numbers), farthest.target + 1, where))
               .hint(fmt::format("use {}{}", scaled ? "--algorithm omega-k " : "", areas))};
 }

@@ -67,12 +67,12 @@ TEST(ImageReach, SaysWhichTargetsAnImageDoesNotShow) {
   const core::Problems problems = diagnose_outside(targets, image, options, false);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].severity, core::Severity::warning);
-  EXPECT_THAT(problems[0].message, HasSubstr("2 targets (1, 2) lie outside of the image: target "));
+  EXPECT_THAT(problems[0].message, HasSubstr("2 targets (1, 2) are outside the image: target "));
   EXPECT_THAT(problems[0].message, HasSubstr("m along the track, the image covers "));
   EXPECT_THAT(problems[0].hint, HasSubstr("--azimuth "));
   EXPECT_THAT(problems[0].hint, HasSubstr("--range "));
   const core::Problems single = diagnose_outside({targets[0]}, image, options, false);
-  EXPECT_THAT(single.at(0).message, HasSubstr("target 1 lies outside of the image: at "));
+  EXPECT_THAT(single.at(0).message, HasSubstr("target 1 is outside the image: at "));
   EXPECT_THAT(single.at(0).message, HasSubstr("at 10290.0 m of closest distance, the image covers "));
   EXPECT_LT(excess_of(worst_method_loss(*acquisition, rows, options)), 1.0);
   options.azimuth_area = signal::AxisInterval{0.0, 10.0};

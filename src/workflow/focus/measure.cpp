@@ -67,7 +67,7 @@ MeasuredImage opened_sicd(const std::string& path) {
   if (!file.raster) throw core::InvalidRequest(core::ranked(std::move(file.problems)));
   auto source = sicd_source(*file.raster);
   if (!source)
-    throw core::InvalidRequest(fmt::format("'{}' says nothing of a script: it is of another program", path),
+    throw core::InvalidRequest(fmt::format("'{}' names no script: another program wrote it", path),
                                "measure images of sarsim focus; the image viewer measures points of any image");
   MeasuredImage opened{std::move(source->header), {}, {}, {}};
   opened.reader = [raster = file.raster, backwards = source->backwards](std::size_t row, std::size_t first,
@@ -198,11 +198,10 @@ std::optional<core::Problem> note_of_clouds(const simulate::ResolvedScene& scene
   if (points == 0) return std::nullopt;
   if (listed == 0)
     throw core::InvalidRequest(
-        fmt::format("the {} points of the clouds are too many to be measured one by one", points),
+        fmt::format("the {} cloud points are too many to be measured individually", points),
         fmt::format("the limit is {} cloud points; add a target where an image is to be measured",
                     max_examined_targets));
-  return core::note("measure.clouds-left-out",
-                    fmt::format("the {} points of the clouds are not measured one by one", points))
+  return core::note("measure.clouds-left-out", fmt::format("the {} cloud points are not measured individually", points))
       .expected(fmt::format("at most {} of them", max_examined_targets));
 }
 
@@ -364,10 +363,9 @@ std::optional<core::Problem> remark_on_edges(const signal::FocusedImage& image,
   if (near.empty()) return std::nullopt;
   return core::warning(
              "measure.targets-at-edge",
-             fmt::format(
-                 "{} of {} targets ({}) lie within 1.5 widths of the edge of the image, beyond which their responses "
-                 "are not known: amplitudes may be off by up to 1 dB, positions by an eighth of a width",
-                 near.size(), targets.size(), target_list(near)))
+             fmt::format("{} of {} targets ({}) lie within 1.5 widths of the edge of the image, which truncates their "
+                         "responses: amplitude errors may reach 1 dB, position errors an eighth of a width",
+                         near.size(), targets.size(), target_list(near)))
       .hint("record or focus a wider part");
 }
 

@@ -10,10 +10,11 @@ namespace sarsim::workflow {
 OptionTable<MeasureRequest> measure_option_table() {
   OptionTable<MeasureRequest> table;
   table.include(script_options(), &MeasureRequest::input);
-  table.number("--search", "M",
-               "how far from its position a target's peak may be (default: 3 cells, or half way to the next target)",
-               &MeasureRequest::search_m);
-  table.number("--pfa", "P", "false-alarm probability: that noise alone counts as a peak (default: 1e-3)",
+  table.number(
+      "--search", "M",
+      "search radius around a target's expected position (default: 3 cells, or half the distance to the next target)",
+      &MeasureRequest::search_m);
+  table.number("--pfa", "P", "false-alarm probability that sets the detection threshold (default: 1e-3)",
                &MeasureRequest::false_alarm);
   table.whole("--target", 1, std::numeric_limits<std::int64_t>::max(), "one target only, by its number in the script",
               [](MeasureRequest& request, std::uint64_t n) { request.target = static_cast<std::size_t>(n); });

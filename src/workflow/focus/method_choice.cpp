@@ -164,14 +164,15 @@ class Chooser {
 // Why only back-projection can focus a flight; empty where others can.
 std::string why_in_time(const signal::EchoRows& echoes) {
   if (!flies_along_a_line(echoes))
-    return "the antenna flies around, not along a line, which all other methods need; the image is a grid of level "
-           "ground around the targets";
+    return "the antenna flies around the scene, not along a line as all other algorithms require; the image is a "
+           "ground-range grid around the targets";
   const double uneven = signal::unevenness(echoes.track, signal::fitted_track(echoes.track));
-  if (std::isinf(uneven)) return "the antenna turns back along its line, so that its pulses cannot be put in order";
+  if (std::isinf(uneven))
+    return "the antenna reverses along its track, so that its pulses cannot be put in azimuth order";
   if (uneven > max_uneven)
     return fmt::format(
-        "the distance between pulses changes by up to {:.3g} % from one to the next, too much for "
-        "motion compensation to interpolate",
+        "the along-track pulse spacing changes by up to {:.3g} % from one to the next, too much for motion "
+        "compensation to resample",
         100.0 * uneven);
   return {};
 }

@@ -201,7 +201,7 @@ TEST_F(MethodChoice, LeavesEchoesThatThePulsesAliasToBackProjection) {
   const FocusReport report = focus(request_, {});
   EXPECT_EQ(report.algorithm, FocusAlgorithm::back_projection);
   const core::Problem note = one_that_says(report.problems, "back-projection instead of omega-k: omega-k would lose");
-  EXPECT_THAT(note.message, HasSubstr("dB of target 1, whose Doppler frequencies the pulses alias; back-projection"));
+  EXPECT_THAT(note.message, HasSubstr("dB of target 1, whose Doppler frequencies are aliased; back-projection"));
   const MeasuredTarget found = measured().targets.front();
   ASSERT_TRUE(found.found);
   EXPECT_NEAR(found.amplitude_error_db(), 0.0, 0.1);
@@ -224,7 +224,7 @@ TEST_F(MethodChoice, KeepsOmegaKWhereItIsRightAndCompensatesWhatWouldShow) {
 TEST_F(MethodChoice, WarnsOfATargetOffTheGroundThatNoMethodGetsRight) {
   write(stray_scene({.aside_m = 1.5, .up_m = 1.0, .period_s = 1.1}, {{0.0, 0.0, 8.0}}));
   const FocusReport report = focus(request_, {});
-  const core::Problem warning = one_that_says(report.problems, "rad rms in the echoes of target 1");
+  const core::Problem warning = one_that_says(report.problems, "rad rms residual phase at target 1");
   EXPECT_EQ(warning.severity, core::Severity::warning);
   const MeasuredTarget found = measured().targets.front();
   ASSERT_TRUE(found.found);
@@ -378,7 +378,7 @@ TEST_F(MethodChoice, TakesBackProjectionAtOnceWhereTheAntennaTurnsBack) {
   write(scene);
   const FocusReport report = focus(request_, {});
   EXPECT_EQ(report.algorithm, FocusAlgorithm::back_projection);
-  EXPECT_THAT(one_that_says(report.problems, "turns back along its line").message, HasSubstr("instead of omega-k"));
+  EXPECT_THAT(one_that_says(report.problems, "reverses along its track").message, HasSubstr("instead of omega-k"));
 }
 
 }  // namespace method_choice_test

@@ -29,7 +29,7 @@ void expect_ground_in_reach(const signal::EchoRows& echoes, const signal::Motion
     return std::abs(ground_m.z - how.scene_m.z) < 1e-6 * last_m;
   };
   if (reaches(echoes.track.front()) || reaches(echoes.track.back())) return;
-  throw core::InvalidRequest("motion compensation: the ground is farther away than all ranges of the recording",
+  throw core::InvalidRequest("motion compensation: the ground is beyond all ranges of the recording",
                              "give the ground another --height, or leave it out with --motion-compensation none");
 }
 
@@ -49,7 +49,7 @@ void expect_one_way(const signal::EchoRows& echoes) {
   const signal::ReferenceTrack line = signal::fitted_track(echoes.track);
   if (core::norm(line.velocity_mps) > 0.0 && std::isinf(signal::unevenness(echoes.track, line)))
     throw core::InvalidRequest(
-        "the antenna turns back along its line: no motion compensation can put its pulses in order",
+        "the antenna reverses along its track: motion compensation cannot put its pulses in azimuth order",
         "use --algorithm back-projection");
 }
 
@@ -79,10 +79,9 @@ void compensate(FocusInput& input, MotionOrder order, std::optional<double> grou
   expect_one_way(input.echoes);
   if (uneven > max_uneven)
     throw core::InvalidRequest(
-        fmt::format(
-            "the distance between pulses changes by up to {:.3g} % from one to the next: no motion compensation "
-            "can interpolate between them",
-            100.0 * uneven),
+        fmt::format("the along-track pulse spacing changes by up to {:.3g} % from one to the next: motion compensation "
+                    "cannot resample them",
+                    100.0 * uneven),
         fmt::format("expected up to {:.0f} %; use --algorithm back-projection", 100.0 * max_uneven));
   input.echoes = signal::compensate_motion(input.echoes, how, {options.memory_bytes / 2, options.scratch_folder},
                                            control, progress);

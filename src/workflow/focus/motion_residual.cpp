@@ -324,21 +324,19 @@ std::string text_of(const std::optional<MotionResidual>& residual) {
 
 core::Problems diagnose_residual(const std::optional<MotionResidual>& residual, TakenFlight::Kind kind) {
   if (!(excess_of(residual) > 1.0)) return {};
-  const char* what = "motion compensation, made for level ground in the middle of the beam,";
+  const char* what = "motion compensation, computed for level ground at beam centre,";
   const char* hint = "use --algorithm back-projection, which follows the flown track";
   if (kind == TakenFlight::Kind::even) {
-    what = "the flight, taken for the straight line at constant speed that fits it,";
+    what = "focusing along the fitted straight line at constant speed";
   } else if (kind == TakenFlight::Kind::flown) {
-    what = "back-projection, made for level ground,";
+    what = "back-projection, computed for level ground,";
     hint = "give the height of the ground at the target by --height";
   }
-  return {core::warning(
-              "focus.motion-residual",
-              fmt::format(
-                  "{} leaves {:.2g} rad rms in the echoes of target {}: its peak loses {:.2g} dB, its phase is wrong "
-                  "by {:.2g} rad, and it is displaced by {:.2g} m along the track and {:.2g} m in range",
-                  what, residual->rms_rad, residual->target + 1, std::max(residual->lost_db(), 0.0),
-                  residual->phase_rad, std::abs(residual->azimuth_m), std::abs(residual->range_m)))
+  return {core::warning("focus.motion-residual",
+                        fmt::format("{} leaves {:.2g} rad rms residual phase at target {}: peak loss {:.2g} dB, phase "
+                                    "error {:.2g} rad, position error {:.2g} m in azimuth and {:.2g} m in range",
+                                    what, residual->rms_rad, residual->target + 1, std::max(residual->lost_db(), 0.0),
+                                    residual->phase_rad, std::abs(residual->azimuth_m), std::abs(residual->range_m)))
               .expected(fmt::format("up to {:.2f} rad, {:.1f} dB and {:.2f} of a resolution cell", max_residual_rad,
                                     max_residual_db, max_residual_cells))
               .hint(hint)};

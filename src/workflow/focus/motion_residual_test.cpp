@@ -72,7 +72,7 @@ TEST_F(MotionResidualOfASquint, IsWhatTheImageLoses) {
   EXPECT_LT(residual->amplitude, 0.9);
   ASSERT_FALSE(report.problems.empty());
   EXPECT_THAT(report.problems[0].message,
-              HasSubstr("leaves 0.55 rad rms in the echoes of target 2: its peak loses 1.3 dB"));
+              HasSubstr("leaves 0.55 rad rms residual phase at target 2: peak loss 1.3 dB"));
   EXPECT_THAT(report.problems[0].hint, HasSubstr("--algorithm back-projection"));
 }
 

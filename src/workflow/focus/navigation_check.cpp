@@ -80,7 +80,7 @@ core::Problems problems_of_navigation(const std::string& name, std::span<const s
   const double ratio = ways.believed_m / ways.recorded_m;
   if (!(std::abs(ratio - 1.0) <= tolerated))
     problems.push_back(navigation_problem(!(ratio > 0.5 && ratio < 2.0), name,
-                                          "the way of the navigation is not that of the recording")
+                                          "the navigation track has another length than that of the recording")
                            .found(fmt::format("{:.6g} m long", ways.believed_m))
                            .expected(fmt::format("{:.6g} m within 1 %", ways.recorded_m)));
   const double angle_rad = std::acos(std::clamp(ways.cosine, -1.0, 1.0));

@@ -61,7 +61,8 @@ TEST(NavigationCheck, RefusesWhatIsNotOfThisRecording) {
   const std::string away = told(track([](double t) { return core::Vec3{100.0 * t, 1e18, 1500.0}; }));
   EXPECT_THAT(away, HasSubstr("error: n.csv: the navigation is far from the track of the recording; found '1e+18 m"));
   const std::string other_unit = told(track([](double t) { return core::Vec3{0.1 * t, -2.5, 1.5}; }));
-  EXPECT_THAT(other_unit, HasSubstr("error: n.csv: the way of the navigation is not that of the recording"));
+  EXPECT_THAT(other_unit,
+              HasSubstr("error: n.csv: the navigation track has another length than that of the recording"));
   EXPECT_THAT(told(track([](double) { return core::Vec3{0.0, -2500.0, 1500.0}; })), HasSubstr("error"));
   EXPECT_THAT(told(track([](double t) { return core::Vec3{100.0 * t, std::nan(""), 1500.0}; })), HasSubstr("error"));
 }
@@ -71,10 +72,12 @@ TEST(NavigationCheck, WarnsWithTheNumber) {
                 return core::Vec3{100.0 * t + 200.0, -2500.0, 1500.0};
               })),
               HasSubstr("warning: n.csv: the navigation is far from the track of the recording; found '200 m away"));
-  EXPECT_THAT(told(track([](double t) {
-                return core::Vec3{105.0 * t, -2500.0, 1500.0};
-              })),
-              HasSubstr("warning: n.csv: the way of the navigation is not that of the recording; found '210 m long'"));
+  EXPECT_THAT(
+      told(track([](double t) {
+        return core::Vec3{105.0 * t, -2500.0, 1500.0};
+      })),
+      HasSubstr(
+          "warning: n.csv: the navigation track has another length than that of the recording; found '210 m long'"));
   EXPECT_THAT(
       told(track([](double t) {
         return core::Vec3{100.0 * t, -2500.0 + 5.0 * t, 1500.0};

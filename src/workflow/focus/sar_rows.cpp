@@ -112,7 +112,7 @@ core::Problems problems_of_sar(const simulate::Acquisition& acquisition, bool re
   const double samples = acquisition.reception.sample_rate_hz * acquisition.link.pulse.width_s;
   if (!recorded && !(samples <= max_samples))
     problems.push_back(
-        core::error("the pulse is too long to be focused: a row has to hold a whole echo")
+        core::error("the pulse is too long to be focused: a row has to contain a complete echo")
             .found(fmt::format("pulse_width {:g} s, {:.3g} samples", acquisition.link.pulse.width_s, samples))
             .expected(fmt::format("at most {:.3g} s", max_samples / acquisition.reception.sample_rate_hz))
             .hint("shorten the pulse"));

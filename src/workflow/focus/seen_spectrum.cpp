@@ -124,11 +124,10 @@ core::Problems diagnose_carriers(const signal::EchoRows& echoes, const signal::I
     problems.push_back(
         core::warning(
             "focus.carriers-too-seldom",
-            fmt::format(
-                "each of {} carriers is sent {:.4g} times a second, but the targets' Doppler frequencies are {:.4g} Hz "
-                "wide: each carrier has ghosts, at azimuths that differ from carrier to carrier",
-                carriers_hz.size(), rate_hz, band_hz))
-            .hint("send more pulses per second, or fewer carriers"));
+            fmt::format("each of {} carriers is sent {:.4g} times a second, but the targets' Doppler frequencies are "
+                        "{:.4g} Hz wide: each carrier has azimuth ambiguities, at different azimuths",
+                        carriers_hz.size(), rate_hz, band_hz))
+            .hint("raise the PRF, or use fewer carriers"));
   return problems;
 }
 

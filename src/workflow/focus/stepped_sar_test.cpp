@@ -80,7 +80,7 @@ TEST_F(SteppedSar, IsRefusedByMethodsOfOneCarrierWithTheWayOut) {
   } catch (const core::InvalidRequest& refused) {
     EXPECT_THAT(core::to_string(refused.problems.front()),
                 testing::HasSubstr("the carrier changes from pulse to pulse"));
-    EXPECT_THAT(refused.problems.front().hint, testing::HasSubstr("use back projection"));
+    EXPECT_THAT(refused.problems.front().hint, testing::HasSubstr("use back-projection"));
   }
 }
 

@@ -170,9 +170,9 @@ double excess_of(const std::optional<MethodLoss>& loss) {
 
 std::string text_of(const MethodLoss& loss) {
   if (lost_db(loss.told) > lost_db(loss.loss.amplitude))
-    return fmt::format("{:.3g} dB of target {}, whose Doppler frequencies the pulses alias", lost_db(loss.told),
+    return fmt::format("{:.3g} dB of target {}, whose Doppler frequencies are aliased", lost_db(loss.told),
                        loss.min_told + 1);
-  return fmt::format("{:.3g} dB of {}, whose Doppler frequencies the pulses alias at the upper end of the band",
+  return fmt::format("{:.3g} dB of {}, whose Doppler frequencies are aliased at the upper end of the band",
                      lost_db(loss.loss.amplitude), name_of_target(loss));
 }
 
@@ -188,22 +188,21 @@ core::Problems diagnose_swath_loss(const simulate::Acquisition& acquisition, con
   const std::string expected = warns ? fmt::format("below {:.1f} dB and {:.2f} rad", max_loss_db, max_loss_rad) : "";
   if (options.method == signal::FocusMethod::omega_k)
     return {core::ProblemBuilder(severity, "focus.omega-k-loss",
-                                 fmt::format("omega-k loses {:.3g} dB of {}: the pulses alias a part of its Doppler "
-                                             "frequencies at the upper end of the band, or see it along the track",
+                                 fmt::format("omega-k loses {:.3g} dB of {}: part of its Doppler spectrum is aliased "
+                                             "at the upper end of the band, or it is seen along the track",
                                              lost_db(worst->loss.amplitude), name_of_target(*worst)))
                 .expected(expected)
-                .hint("use --algorithm back-projection, or send more pulses per second")};
+                .hint("use --algorithm back-projection, or raise the PRF")};
   const bool scaled = options.method == signal::FocusMethod::chirp_scaling;
-  return {
-      core::ProblemBuilder(
-          severity, "focus.swath-loss",
-          fmt::format(
-              "{} compresses all ranges like the middle of the swath at {:.1f} m: {}, {:.1f} m off it, loses {:.3g} "
-              "dB, its phase is wrong by {:.3g} rad, and it is displaced by {:.2g} m in range",
-              scaled ? "chirp scaling" : "range-Doppler", worst->middle_m, name_of_target(*worst),
-              std::abs(loss.from_middle_m), lost_db(loss.amplitude), loss.phase_rad, std::abs(loss.shift.range_m)))
-          .expected(expected)
-          .hint("use --algorithm omega-k, which compresses each range correctly")};
+  return {core::ProblemBuilder(
+              severity, "focus.swath-loss",
+              fmt::format("{} focuses all ranges with the parameters of mid-swath at {:.1f} m: {}, {:.1f} m away, "
+                          "loses {:.3g} dB, with a phase error of {:.3g} rad and a range error of {:.2g} m",
+                          scaled ? "chirp scaling" : "range-Doppler", worst->middle_m, name_of_target(*worst),
+                          std::abs(loss.from_middle_m), lost_db(loss.amplitude), loss.phase_rad,
+                          std::abs(loss.shift.range_m)))
+              .expected(expected)
+              .hint("use --algorithm omega-k, which focuses each range exactly")};
 }
 
 core::Problems diagnose_area(const signal::EchoRows& echoes, const signal::FocusOptions& options) {
@@ -216,7 +215,7 @@ core::Problems diagnose_area(const signal::EchoRows& echoes, const signal::Focus
   const signal::AxisInterval& area = *options.azimuth_area;
   if (area.first_m <= high_m && area.last_m >= low_m) return {};
   return {core::warning("focus.area-without-echoes",
-                        "the area in azimuth lies beyond all that the record holds echoes of: the image is empty")
+                        "the area in azimuth is outside everything recorded: the image is empty")
               .found(fmt::format("{:.6g} to {:.6g} m", area.first_m, area.last_m))
               .expected(fmt::format("a part of {:.6g} to {:.6g} m, the record and the farthest range on either side",
                                     low_m, high_m))

@@ -37,7 +37,7 @@ struct MethodLoss {
 /// told; 0 for none.
 [[nodiscard]] double excess_of(const std::optional<MethodLoss>& loss);
 
-/// "1.2 dB of target 3, whose Doppler frequencies the pulses alias at the upper end of the band".
+/// "1.2 dB of target 3, whose Doppler frequencies are aliased at the upper end of the band".
 [[nodiscard]] std::string text_of(const MethodLoss& loss);
 
 /// What it says of that loss: a warning from 0.1 dB or 0.02 rad on, a note from a tenth of that on.

@@ -37,8 +37,8 @@ TEST(SwathRemark, NamesTheTargetThatLosesMostAndItsLoss) {
   const core::Problems problems = diagnose_swath_loss(*acquisition, rows, options);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].severity, core::Severity::warning);
-  EXPECT_THAT(problems[0].message, HasSubstr("range-Doppler compresses all ranges like the middle of the swath"));
-  EXPECT_THAT(problems[0].message, HasSubstr("target 2, 69.3 m off it, loses "));
+  EXPECT_THAT(problems[0].message, HasSubstr("range-Doppler focuses all ranges with the parameters of mid-swath"));
+  EXPECT_THAT(problems[0].message, HasSubstr("target 2, 69.3 m away, loses "));
   const std::size_t at = problems[0].message.find("loses ") + 6;
   const double lost_db = std::stod(problems[0].message.substr(at));
   const signal::ImagePlace place = signal::place_of(signal::image_of(rows, options).frame, {90.0, 0.0, 0.0});

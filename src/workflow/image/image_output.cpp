@@ -104,7 +104,8 @@ void expect_no_picture(const fs::path& path, std::string_view option) {
   for (const std::string_view picture : pictures)
     if (core::equal_ignoring_case(extension, picture))
       throw core::InvalidRequest(
-          fmt::format("{} '{}' is the name of a picture, and an image is written as samples", option, path.string()),
+          fmt::format("{} '{}' is the name of a picture, but images are written as complex samples", option,
+                      path.string()),
           fmt::format("name it {0}; 'sarsim plot {0} -o {1}' then draws it",
                       fs::path(path).replace_extension(".img").string(), drawn_as(path).string()));
 }

@@ -216,7 +216,7 @@ core::Problems read_clouds(scene::Scene& scene, const fs::path& folder, const co
           core::error("the file of the points is not there")
               .found(cloud.file)
               .expected(fmt::format("a file in '{}' or in the current folder", folder.empty() ? "." : folder.string()))
-              .hint("Look at the name and the folder; file names are case-sensitive."));
+              .hint("Check the name and the folder; file names are case-sensitive."));
     } else {
       const auto [place, is_new] = known.try_emplace({cloud.file, cloud.rcs_m2, is_on_world(cloud)});
       if (is_new) place->second = read_file(cloud, scene.world, path, control);

@@ -28,7 +28,7 @@ std::string ratio_range(double low, double high) {
 std::string snr_line(const std::vector<simulate::TargetVisibility>& sights) {
   const auto [low, high] = std::ranges::minmax(sights, {}, &simulate::TargetVisibility::snr);
   const auto [weak, strong] = std::ranges::minmax(sights, {}, &simulate::TargetVisibility::processed_snr);
-  return fmt::format("    SNR {} per pulse, {} with all pulses added\n", ratio_range(low.snr, high.snr),
+  return fmt::format("    SNR {} per pulse, {} with all pulses integrated\n", ratio_range(low.snr, high.snr),
                      ratio_range(weak.processed_snr, strong.processed_snr));
 }
 

@@ -23,7 +23,9 @@ core::Problem accuracy_problem(const std::string& file, std::string_view what, s
   return core::warning("motion-file.too-coarse", fmt::format("{}: {}", file, what))
       .found(std::move(found))
       .expected(std::move(expected))
-      .hint("take a file with closer or more exact samples: what is lost between them is part of all results");
+      .hint(
+          "use a file with closer or more accurate samples: interpolation errors between its samples enter all "
+          "results");
 }
 
 }  // namespace
@@ -38,7 +40,7 @@ core::Problems problems_between_states(const scene::Scene& scene, std::size_t in
   const double limit_m = scene::tolerated_wavelengths * look.wavelength_m;
   if (!(accuracy.error > limit_m)) return {};
   return {accuracy_problem(
-      platform.ephemeris_file, "its states are too far apart, or not exact enough, for the wavelength",
+      platform.ephemeris_file, "its states are too far apart, or too inaccurate, for the wavelength",
       fmt::format(
           "about {:.3g} m off between states near {:.6g} s, {:.3g} wavelengths of radar {}; a state every {:.6g} s",
           accuracy.error, accuracy.at_s, accuracy.error / look.wavelength_m, look.radar, accuracy.spacing_s),
@@ -61,7 +63,7 @@ core::Problems problems_between_attitudes(const scene::Scene& scene, std::size_t
   const scene::Look& look = *std::ranges::max_element(looks, {}, share);
   if (!(share(look) > 1.0)) return {};
   return {accuracy_problem(
-      platform.attitude_file, "its attitudes are too far apart, or not exact enough",
+      platform.attitude_file, "its attitudes are too far apart, or too inaccurate",
       fmt::format("about {:.3g} deg off between attitudes near {:.6g} s; one every {:.6g} s",
                   accuracy.error * core::deg_per_rad, accuracy.at_s, accuracy.spacing_s),
       fmt::format(

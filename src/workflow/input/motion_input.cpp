@@ -40,7 +40,7 @@ std::optional<FileText> text_of_file(const std::string& name, const fs::path& fo
   if (!data.failure.empty() || data.path.empty()) {
     problems.push_back(core::error("the file of the motion cannot be read")
                            .found(name)
-                           .hint(data.failure.empty() ? "look at the name and the folder" : data.failure));
+                           .hint(data.failure.empty() ? "check the name and the folder" : data.failure));
     return std::nullopt;
   }
   return FileText{data.text, data.path};
@@ -100,8 +100,8 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
               .found(fmt::format("{:.4g} deg within {:.6g} s from {:.6g} s on", turn->step * core::deg_per_rad,
                                  turn->spacing_s, turn->at_s))
               .expected(fmt::format("at most {:g} deg", max_turn_rad * core::deg_per_rad))
-              .hint("which way it turns is not known: take a file with closer attitudes, and look at the order of its "
-                    "numbers"));
+              .hint("the direction of rotation is ambiguous: use a file with closer attitudes, and check the order of "
+                    "its numbers"));
     // Elsewhere it says that something is wrong with the file.
     const auto elsewhere = scene::largest_turn(samples, {times_s.front(), times_s.back()});
     if (elsewhere && elsewhere->step > max_turn_rad) {
@@ -112,7 +112,7 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
               .found(fmt::format("{:.4g} deg within {:.6g} s from {:.6g} s on", elsewhere->step * core::deg_per_rad,
                                  elsewhere->spacing_s, elsewhere->at_s))
               .expected(fmt::format("at most {:g} deg", max_turn_rad * core::deg_per_rad))
-              .hint("look at the order of its numbers"));
+              .hint("check the order of its numbers"));
     }
     if (const auto accuracy = scene::accuracy_between(samples, needed))
       read->accuracy = {accuracy->error, accuracy->at_s, accuracy->spacing_s};

@@ -268,11 +268,11 @@ class PathMaker {
       return of_segment(segment, *span, states, format);
     }
     const radar::TimeSpan all{spans.front().first_s, spans.back().last_s};
-    return refuse(core::error(fmt::format("no segment of {} covers the recordings", platform_.ephemeris_file))
-                      .found(fmt::format("{} segments, {}", spans.size(), said(all)))
-                      .expected(said(needed_))
-                      .hint("nothing may be interpolated from one segment to the next; change the epoch or the times "
-                            "of the recordings"));
+    return refuse(
+        core::error(fmt::format("no segment of {} covers the recordings", platform_.ephemeris_file))
+            .found(fmt::format("{} segments, {}", spans.size(), said(all)))
+            .expected(said(needed_))
+            .hint("segments are not interpolated into each other; change the epoch or the times of the recordings"));
   }
 
   // The satellite also chooses among those of a file of attitudes.
@@ -333,7 +333,7 @@ class PathMaker {
                         .found(fmt::format("about {:.3g} km off near {:.6g} s, with a state every {:.6g} s",
                                            1e-3 * accuracy->error, accuracy->at_s, accuracy->spacing_s))
                         .expected(fmt::format("at most {:g} km", 1e-3 * max_error_m))
-                        .hint("take a file with closer states"));
+                        .hint("use a file with closer states"));
     auto known = std::make_shared<scene::ReadPath>(*path);
     known->accuracy = {accuracy->error, accuracy->at_s, accuracy->spacing_s};
     return known;
@@ -356,7 +356,7 @@ class PathMaker {
       return core::error(fmt::format("{}: its states are too far apart to tell the orbit", platform_.ephemeris_file))
           .found(fmt::format("a state every {:.6g} s, at a height where a turn takes {:.4g} s", step_s, turn_s))
           .expected(fmt::format("at most {:.4g} s, a third of a turn", turn_s / states_per_turn))
-          .hint("take a file with closer states");
+          .hint("use a file with closer states");
     }
     return std::nullopt;
   }

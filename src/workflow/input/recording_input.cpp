@@ -49,8 +49,7 @@ void expect_sound(core::Problems problems) {
 std::size_t simulation_of_scene(const scene::Scene& scene, const std::string& script,
                                 std::optional<std::int64_t> wanted, const Suits& suits) {
   if (scene.simulations.empty()) {
-    core::InvalidRequest none("the scene says nothing of what is recorded",
-                              "add a [[recording]]; in a .scr, a $SIMULATION");
+    core::InvalidRequest none("the scene defines no recording", "add a [[recording]]; in a .scr, a $SIMULATION");
     none.problems.front().place.file = script;
     throw none;
   }

@@ -217,8 +217,8 @@ scene::ReadControl read_control(const SceneOverrides& overrides, const core::Wor
 core::Problem nothing_asked(scene::Language language) {
   const bool is_script = language == scene::Language::script;
   return core::warning("scene.asks-for-nothing",
-                       is_script ? "the script asks for nothing" : "the scene asks for nothing")
-      .expected("a product that is to be made")
+                       is_script ? "the script defines nothing to compute" : "the scene defines nothing to compute")
+      .expected("a recording or a geometry table")
       .hint(is_script ? "add a $SIMULATION or a $GEOMETRY" : "add a [[recording]] or a [[geometry]]");
 }
 

@@ -55,7 +55,11 @@ TEST(SceneInput, TellsOnceOfRangesBeyondTheUnambiguous) {
   EXPECT_EQ(count(window, "unambiguous"), 1U) << window;
   const std::string late = said(scene_with_target_at(20e3));
   EXPECT_EQ(count(late, "unambiguous"), 1U) << late;
-  EXPECT_EQ(count(late, "echoes of 1 of 1 targets arrive after the next pulse has left: rows also hold echoes of"), 1U)
+  EXPECT_EQ(
+      count(
+          late,
+          "echoes of 1 of 1 targets arrive after the next pulse has left: rows also contain range-ambiguous echoes of"),
+      1U)
       << late;
   EXPECT_EQ(count(late, "real receiver"), 0U) << late;
 }

@@ -74,7 +74,7 @@ core::Problems add_table(const TargetTable& table, scene::Scene& scene, const co
   if (auto* failure = std::get_if<core::Problem>(&read)) {
     std::error_code none;
     if (!std::filesystem::exists(table.file, none) && table.file.string().find('=') != std::string::npos)
-      failure->hint = fmt::format("before '=' stands a platform: {}", listed_platforms(scene));
+      failure->hint = fmt::format("the name before '=' is that of a platform: {}", listed_platforms(scene));
     return {std::move(*failure)};
   }
   scene::TargetImport import =

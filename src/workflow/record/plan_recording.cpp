@@ -18,7 +18,7 @@ PlannedRecording plan_recording(const scene::Scene& scene, const scene::Simulati
   if (!planned.problems.empty()) return planned;
   simulate::Plan plan = simulate::make_plan(one, 0, nullptr, simulate::Engine::automatic, stop);
   if (plan.acquisition.timing.rows == 0) {
-    planned.problems.push_back(core::error("no complete burst leaves within the azimuth window"));
+    planned.problems.push_back(core::error("no complete burst is sent within the azimuth window"));
     return planned;
   }
   planned.plan = std::make_shared<const simulate::Plan>(std::move(plan));

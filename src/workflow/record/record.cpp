@@ -194,7 +194,7 @@ class Recorder {
     const bool of_1998 = !request_.scene && input_.language == scene::Language::script;
     if (empty || !of_1998) {
       core::InvalidRequest nothing(
-          of_1998 ? "the script asks for nothing"
+          of_1998 ? "the script defines nothing to compute"
                   : "the scene defines no recording and no geometry table: nothing to do",
           of_1998 ? "add a $SIMULATION or a $GEOMETRY; in format 2, a [[recording]] or a [[geometry]]"
                   : "add a [[recording]] or a [[geometry]]");

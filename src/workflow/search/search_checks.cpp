@@ -84,13 +84,13 @@ class Remarks {
     problems_.push_back(
         core::ProblemBuilder(
             beam_turns(acquisition_) ? core::Severity::note : core::Severity::warning, "search.doppler-folds",
-            fmt::format("{} of {} targets move faster than the PRF tells apart: their Doppler frequencies fold", count,
+            fmt::format("{} of {} targets exceed the unambiguous speed: their Doppler frequencies are aliased", count,
                         survey_.targets.size()))
             .found(fmt::format("{:.4g} m/s, that is {}", std::abs(speed_of(max_hz)),
                                core::with_prefix(std::abs(max_hz), "Hz", 4)))
             .expected(fmt::format("at most {:.4g} m/s, lambda PRF/4", speed_of(0.5 * prf_hz_)))
-            .hint(fmt::format("speeds are shown modulo {:.4g} m/s; a PRF of {} tells them apart", speed_of(prf_hz_),
-                              core::with_prefix(2.0 * std::abs(max_hz), "Hz", 4))));
+            .hint(fmt::format("speeds are shown modulo {:.4g} m/s; a PRF of {} makes them unambiguous",
+                              speed_of(prf_hz_), core::with_prefix(2.0 * std::abs(max_hz), "Hz", 4))));
   }
 
   void range_walk() {
@@ -103,10 +103,10 @@ class Remarks {
     if (max_mps * time_s <= cell_m) return;
     problems_.push_back(
         core::warning("search.range-smears",
-                      "targets move through more than a cell of range in an interval: their responses smear")
+                      "targets migrate through more than a cell of range in an interval: their responses are smeared")
             .found(fmt::format("{:.4g} m at {:.4g} m/s", max_mps * time_s, max_mps))
             .expected(fmt::format("at most {:.4g} m, c/(2 B)", cell_m))
-            .hint(fmt::format("take intervals of at most {:.0f} pulses",
+            .hint(fmt::format("use intervals of at most {:.0f} pulses",
                               std::max(1.0, std::floor(cell_m / max_mps * prf_hz_)))));
   }
 
@@ -134,7 +134,7 @@ class Remarks {
             count == 1
                 ? fmt::format("target {} moves near a blind speed of the canceller", first)
                 : fmt::format("{} targets move near blind speeds of the canceller, target {} the first", count, first))
-            .found(fmt::format("{:.4g} m/s, where it lets pass {:.0f} dB", std::abs(speed_of(first_hz)),
+            .found(fmt::format("{:.4g} m/s, where its response is {:.0f} dB", std::abs(speed_of(first_hz)),
                                10.0 * std::log10(std::max(gain, 1e-30))))
             .expected(fmt::format("speeds away from multiples of {:.4g} m/s, lambda PRF/2", speed_of(prf_hz_)))
             .hint("change the PRF or the carrier"));
@@ -159,15 +159,13 @@ class Remarks {
     }
     if (count == 0) return;
     problems_.push_back(
-        core::warning(
-            "search.echoes-cut",
-            fmt::format(
-                "{} of {} targets lie within a pulse's length of the end of the raw recording, which holds only the "
-                "beginning of their echoes: they show weaker",
-                count, survey_.targets.size()))
+        core::warning("search.echoes-cut",
+                      fmt::format("{} of {} targets are within a pulse length of the end of the raw recording, which "
+                                  "contains only the beginning of their echoes: they appear weaker",
+                                  count, survey_.targets.size()))
             .found(fmt::format("{:.6g} m", farthest_m))
             .expected(fmt::format("at most {:.6g} m", whole_m))
-            .hint("record farther, by half of c times the pulse width, or take the script"));
+            .hint("extend the range window by c/2 times the pulse width, or take the script"));
   }
 
   void dwell() {
@@ -179,12 +177,13 @@ class Remarks {
     const auto degrees = [](double rad) { return core::deg_per_rad * rad; };
     const double pulses = width_rad / std::abs(acquisition_.link.beam.rate_rad_per_s) * prf_hz_;
     problems_.push_back(
-        core::warning("search.beam-turns",
-                      "the beam turns more than its width in an interval: targets are illuminated for part of it")
+        core::warning(
+            "search.beam-turns",
+            "the beam rotates by more than its width in an interval: targets are illuminated for only part of it")
             .found(fmt::format("{:.3g} degrees in {} pulses", degrees(turn_rad), options_.recorded_pulses()))
             .expected(fmt::format("at most {:.3g} degrees", degrees(width_rad)))
             .hint(pulses >= 2.0
-                      ? fmt::format("take intervals of at most {:.0f} pulses, or turn more slowly", std::floor(pulses))
+                      ? fmt::format("use intervals of at most {:.0f} pulses, or turn more slowly", std::floor(pulses))
                       : std::string("turn more slowly or raise the PRF")));
   }
 
@@ -201,9 +200,10 @@ class Remarks {
     constexpr double rounding_deg = 1e-6;
     if (unseen_deg < rounding_deg) return;
     problems_.push_back(
-        core::note("search.pulses-left-over",
-                   fmt::format("the last {} of {} pulses make no interval: {:.3g} deg of the turn are not seen",
-                               pulses - taken, pulses, unseen_deg))
+        core::note(
+            "search.pulses-left-over",
+            fmt::format("the last {} of {} pulses do not fill an interval: {:.3g} deg of the turn are not processed",
+                        pulses - taken, pulses, unseen_deg))
             .hint(fmt::format("take intervals of another number of pulses, or record {} more",
                               taken + options_.step_pulses() - pulses)));
   }
@@ -217,7 +217,7 @@ class Remarks {
     problems_.push_back(
         core::warning(
             "search.beam-still",
-            "the beam does not turn: every detection is shown at the azimuth of the beam, wherever its target is")
+            "the beam does not rotate: every detection is shown at the azimuth of the beam, wherever its target is")
             .found(fmt::format("a beam that points to {:.3g} degrees all the time",
                                azimuth_deg + (azimuth_deg < 0.0 ? 360.0 : 0.0)))
             .expected("a beam of type \"rotating\"")
@@ -233,13 +233,12 @@ class Remarks {
               .expected("a noise temperature above 0")
               .hint("give the receiver its temperature, 290 K for instance"));
     if (options_.canceller > 0 && options_.cfar.reference_rows > 0)
-      problems_.push_back(
-          core::warning(
-              "search.canceller-noise",
-              "after a canceller noise differs from one Doppler row to the next: reference cells in other rows mislead")
-              .found(fmt::format("{} rows", options_.cfar.reference_rows))
-              .expected("reference cells in the same row")
-              .hint("leave out the second number of --train"));
+      problems_.push_back(core::warning("search.canceller-noise",
+                                        "after a canceller the noise level differs from one Doppler row to the next: "
+                                        "reference cells in other Doppler rows give a wrong threshold")
+                              .found(fmt::format("{} rows", options_.cfar.reference_rows))
+                              .expected("reference cells in the same row")
+                              .hint("leave out the second number of --train"));
     const double pulse_cells =
         1.0 / (radar::bandwidth_hz(acquisition_.link.pulse) * acquisition_.reception.raw_grid.interval_s);
     if (pulse_cells > 1.5 && static_cast<double>(options_.cfar.guard_columns) < pulse_cells)
@@ -281,7 +280,7 @@ core::Problems problems_of_search(const simulate::Acquisition& acquisition, cons
                            .hint("use a carrier of type \"single\", or --interval 1 without a canceller"));
   const auto pulses = static_cast<std::size_t>(acquisition.timing.pulses.count());
   if (!acquisition.reception.is_profile() && options.recorded_pulses() > pulses)
-    problems.push_back(core::error("an interval takes more pulses than there are")
+    problems.push_back(core::error("an interval has more pulses than the recording")
                            .found(fmt::format("{}", options.recorded_pulses()))
                            .expected(fmt::format("at most {}", pulses))
                            .hint("give --interval less, or record for longer"));

@@ -54,7 +54,8 @@ TEST(ProblemsOfSearch, AreTrainsOfUnlikePulses) {
 TEST(ProblemsOfSearch, AreSizesThatDoNotFit) {
   const simulate::Acquisition acquisition = plan_of(noisy_scene(0.0));
   SearchOptions options = train_of(1024, 1);
-  EXPECT_TRUE(mentions(problems_of_search(acquisition, options), core::Severity::error, "more pulses than there are"));
+  EXPECT_TRUE(
+      mentions(problems_of_search(acquisition, options), core::Severity::error, "more pulses than the recording"));
   EXPECT_TRUE(problems_of_search(acquisition, train_of(1023, 1)).empty());
   options = train_of(64);
   options.frequencies = 63;
@@ -73,7 +74,7 @@ TEST(ProblemsOfSearch, AreSizesThatDoNotFit) {
 TEST(RemarksOnSearch, SayWhatFoldsAndWhatIsBlind) {
   // lambda PRF/4 is 30 m/s, the first blind speed 60 m/s.
   const core::Problems fast = diagnose_search(plan_of(noisy_scene(40.0)), train_of(64));
-  EXPECT_TRUE(mentions(fast, core::Severity::warning, "1 of 1 targets move faster than the PRF tells apart"));
+  EXPECT_TRUE(mentions(fast, core::Severity::warning, "1 of 1 targets exceed the unambiguous speed"));
   EXPECT_TRUE(mentions(fast, core::Severity::warning, "29.98 m/s"));
   EXPECT_FALSE(mentions(diagnose_search(plan_of(noisy_scene(29.0)), train_of(64)), core::Severity::warning, "faster"));
   EXPECT_FALSE(mentions(diagnose_search(plan_of(noisy_scene(40.0)), train_of(1)), core::Severity::warning, "faster"));
@@ -119,31 +120,34 @@ TEST(RemarksOnSearch, SayWhichPartOfATurnNoIntervalSees) {
   // 0.25 degrees a pulse: 1024 pulses are 256 degrees.
   scene.radars[0].beam_rate = core::Angle::from_deg(1000.0);
   const core::Problems remarks = diagnose_search(plan_of(scene), train_of(10));
-  EXPECT_TRUE(mentions(remarks, core::Severity::note, "the last 4 of 1024 pulses make no interval: 1 deg of the turn"));
+  EXPECT_TRUE(
+      mentions(remarks, core::Severity::note, "the last 4 of 1024 pulses do not fill an interval: 1 deg of the turn"));
   EXPECT_TRUE(mentions(remarks, core::Severity::note, "record 6 more"));
-  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(8)), core::Severity::note, "make no interval"));
+  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(8)), core::Severity::note, "do not fill an interval"));
   // Behind a canceller of order 2 102 intervals take 1022 pulses.
   EXPECT_TRUE(mentions(diagnose_search(plan_of(scene), train_of(10, 2)), core::Severity::note, "the last 2 of 1024"));
   // The turn ends in the 1021st pulse: 0.1 degrees of 360 are left, or of a longer one nothing.
   scene.radars[0].beam_rate = core::Angle::from_deg(4000.0 * 359.9 / 1020.0);
   EXPECT_TRUE(mentions(diagnose_search(plan_of(scene), train_of(10)), core::Severity::note, ": 0.1 deg of the turn"));
   scene.radars[0].beam_rate = core::Angle::from_deg(4000.0 * 360.1 / 1020.0);
-  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(10)), core::Severity::note, "make no interval"));
+  EXPECT_FALSE(
+      mentions(diagnose_search(plan_of(scene), train_of(10)), core::Severity::note, "do not fill an interval"));
   scene.radars[0].beam = scene::Radar::Beam::fixed;
-  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(10)), core::Severity::note, "make no interval"));
+  EXPECT_FALSE(
+      mentions(diagnose_search(plan_of(scene), train_of(10)), core::Severity::note, "do not fill an interval"));
 }
 
 TEST(RemarksOnSearch, SayWhenASearchingBeamDoesNotTurn) {
   scene::Scene scene = noisy_scene(0.0);
   EXPECT_FALSE(beam_turns(plan_of(scene)));
   EXPECT_TRUE(
-      mentions(diagnose_search(plan_of(scene), train_of(1)), core::Severity::warning, "the beam does not turn"));
-  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(64)), core::Severity::warning, "does not turn"));
+      mentions(diagnose_search(plan_of(scene), train_of(1)), core::Severity::warning, "the beam does not rotate"));
+  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(64)), core::Severity::warning, "does not rotate"));
   scene.radars[0].beam = scene::Radar::Beam::rotating;
   EXPECT_FALSE(beam_turns(plan_of(scene)));
   scene.radars[0].beam_rate = core::Angle::from_deg(360.0);
   EXPECT_TRUE(beam_turns(plan_of(scene)));
-  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(1)), core::Severity::warning, "does not turn"));
+  EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(1)), core::Severity::warning, "does not rotate"));
 }
 
 // What turns a beam does not matter.
@@ -182,7 +186,7 @@ TEST(RemarksOnSearch, SayWhichEchoesTheEndOfARawRecordingCuts) {
   scene::Scene scene = noisy_scene(0.0);
   scene.simulations[0].range_end_m = 6400.0;
   EXPECT_TRUE(mentions(diagnose_search(simulate::acquisition_of(scene, 0), train_of(64)), core::Severity::warning,
-                       "1 of 1 targets lie within a pulse's length of the end"));
+                       "1 of 1 targets are within a pulse length of the end"));
   EXPECT_FALSE(mentions(diagnose_search(plan_of(scene), train_of(64)), core::Severity::warning, "of the end"));
   scene.simulations[0].range_end_m = 6600.0;
   EXPECT_FALSE(mentions(diagnose_search(simulate::acquisition_of(scene, 0), train_of(64)), core::Severity::warning,

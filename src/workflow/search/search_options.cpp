@@ -40,7 +40,8 @@ void add_intervals(OptionTable<PulseRequest>& table, const std::string& usual_pu
   table.whole("--step", 1, max_pulses, "pulses from one interval to the next (default: its length)",
               &PulseRequest::step);
   table.whole("--frequencies", 1, max_pulses,
-              "Doppler rows of an interval, finer than its pulses give (default: as many)", &PulseRequest::frequencies);
+              "Doppler rows of an interval, by zero padding if more than its pulses (default: as many)",
+              &PulseRequest::frequencies);
   table.text(
       "--window", "WINDOW",
       "over the pulses: rectangular (default), hann, hamming, bartlett, blackman, kaiser[:BETA], taylor[:DB:NBAR]",
@@ -100,7 +101,7 @@ OptionTable<PictureArguments> picture_options() {
   OptionTable<PictureArguments> table;
   table.number("--pixel", "M", "side of a pixel (default: a range sample, or a thousandth of --extent)",
                &PictureArguments::pixel_m);
-  table.number("--extent", "M", "how far the picture reaches from the radar (default: as far as was recorded)",
+  table.number("--extent", "M", "extent of the display from the radar (default: the recorded range)",
                &PictureArguments::extent_m);
   table.number("--height", "M", "world z of the plane that is shown (default: 0)", &PictureArguments::height_m);
   table.whole("--scan", 1, std::uint64_t{1} << 32,

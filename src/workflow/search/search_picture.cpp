@@ -52,9 +52,10 @@ signal::PpiGrid picture_grid(const PulseRows& rows, const PictureArguments& argu
   const core::Vec3 middle_m = 0.5 * (begin_m + end_m);
   const double reach_m = ground_range_m(rows.range_m.back(), middle_m.z - arguments.height_m.value_or(0.0));
   if (!(reach_m > 0.0))
-    throw core::InvalidRequest("the ground is farther away than the recorded ranges reach",
-                               fmt::format("record beyond {:.6g} m, or give the plane that is meant with --height",
-                                           std::abs(middle_m.z - arguments.height_m.value_or(0.0))));
+    throw core::InvalidRequest(
+        "the ground is beyond the recorded ranges",
+        fmt::format("record beyond {:.6g} m, or set the height of the displayed plane with --height",
+                    std::abs(middle_m.z - arguments.height_m.value_or(0.0))));
   const double extent_m = arguments.extent_m ? above_zero("--extent", *arguments.extent_m)
                                              : reach_m + 0.5 * std::hypot(end_m.x - begin_m.x, end_m.y - begin_m.y);
   const double step_m = rows.samples() > 1 ? rows.range_m[1] - rows.range_m[0] : reach_m;

@@ -36,10 +36,10 @@ IsarOptions isar_options(const IsarRequest& request) {
   IsarOptions options = request.options;
   if (options.algorithm == Algorithm::back_projection &&
       (options.motion == Motion::estimated || options.turn_rate_radps))
-    throw core::InvalidRequest("back-projection needs the path of the target as the scene has it",
+    throw core::InvalidRequest("back-projection needs the path of the target from the scene",
                                "leave out --motion estimated and --turn-rate, or choose --algorithm range-doppler");
   if (options.turn_rate_radps && *options.turn_rate_radps == 0.0)
-    throw core::InvalidRequest("--turn-rate: without turning there is no cross-range");
+    throw core::InvalidRequest("--turn-rate: without rotation there is no cross-range resolution");
   expect_speed(options.fastest_mps);
   if (options.oversampling == 0)
     throw core::InvalidRequest("--oversampling: a resolution cell needs a pixel", "1 or more");

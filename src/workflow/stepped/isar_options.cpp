@@ -19,13 +19,13 @@ void add_target(OptionTable<IsarRequest>& table) {
                       "range-doppler by default; back-projection for large angles, exact and slower",
                       &IsarOptions::algorithm);
   options.choice<Path>("--motion", {{"scene", Path::scene}, {"estimated", Path::estimated}},
-                       "path of the target: the script's (default), or found in the echoes, with autofocus",
+                       "motion of the target: from the script (default), or estimated from the echoes, with autofocus",
                        &IsarOptions::motion);
   table.include(options, &IsarRequest::options);
   table.text("--platform", "NAME", "the target's platform (default: the one with the strongest targets)",
              &IsarRequest::platform);
   table.number("--turn-rate", "DEG/S",
-               "how fast the target turns against the line of sight (default: as the scene has it)",
+               "rotation rate of the target relative to the line of sight (default: from the scene)",
                [](IsarRequest& request, double dps) { request.options.turn_rate_radps = dps * core::pi / 180.0; });
 }
 
@@ -43,7 +43,7 @@ OptionTable<IsarOptions> image_options() {
   table.number("--cross-range", "M", "width of the image (default: as large as the target)",
                &IsarOptions::cross_range_m);
   table.number("--range", "M", "depth of the image (default: as large as the target)", &IsarOptions::range_m);
-  table.whole("--oversampling", 1, 64, "pixels for each resolution cell (default: 2)", &IsarOptions::oversampling);
+  table.whole("--oversampling", 1, 64, "pixels per resolution cell (default: 2)", &IsarOptions::oversampling);
   table.text("--window", "WINDOW",
              "over range and cross-range: rectangular (default), hann, hamming, bartlett, blackman, kaiser[:BETA], "
              "taylor[:DB:NBAR]",
@@ -57,7 +57,7 @@ OptionTable<IsarOptions> image_options() {
     options.azimuth_window = window_of("--azimuth-window", word);
   });
   table.flag("--autofocus", "remove phase errors along the bursts (phase gradient)", &IsarOptions::autofocus);
-  table.number("--fastest", "M/S", "speeds that --motion estimated looks through (default: 500)",
+  table.number("--fastest", "M/S", "largest speed searched by --motion estimated (default: 500)",
                &IsarOptions::fastest_mps);
   return table;
 }

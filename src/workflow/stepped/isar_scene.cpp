@@ -83,10 +83,11 @@ signal::ImagePlace half_size(const SteppedRows& rows, const IsarPlan& plan, cons
 void add_remarks(IsarImage& made, const IsarPlan& plan, const IsarOptions& options, const signal::ImagePlace& half,
                  double wavelength_m) {
   if (plan.plane.turn_rad <= min_turn_rad) {
-    made.problems.push_back(core::error("the target does not turn against the line of sight: there is no cross-range")
-                                .found(fmt::format("{:.3g} degrees", core::deg_per_rad * plan.plane.turn_rad))
-                                .expected("a target that turns or flies past")
-                                .hint("choose the target's --platform, record for longer, or give --turn-rate"));
+    made.problems.push_back(
+        core::error("the target does not rotate relative to the line of sight: there is no cross-range resolution")
+            .found(fmt::format("{:.3g} degrees", core::deg_per_rad * plan.plane.turn_rad))
+            .expected("a target that turns or flies past")
+            .hint("choose the target's --platform, record for longer, or give --turn-rate"));
     return;
   }
   const double pixels = 4.0 * half.azimuth_m * half.range_m /
@@ -108,7 +109,7 @@ void add_remarks(IsarImage& made, const IsarPlan& plan, const IsarOptions& optio
   const double quadratic = 0.5 * half.range_m * plan.plane.turn_rad * plan.plane.turn_rad / wavelength_m;
   if (options.algorithm == IsarOptions::Algorithm::range_doppler && quadratic > 0.5)
     made.problems.push_back(
-        core::warning("isar.turns-too-far", "the target turns so far that points away from its centre blur")
+        core::warning("isar.turns-too-far", "the target rotates so far that points away from its centre blur")
             .found(fmt::format("{:.3g} degrees, {:.3g} pi of phase at the edge",
                                core::deg_per_rad * plan.plane.turn_rad, quadratic))
             .expected("half of pi")
@@ -217,7 +218,7 @@ void remark_on_loss(IsarImage& made) {
   made.losses.push_back(
       core::warning(
           "isar.motion-residual",
-          fmt::format("the motion that was estimated leaves target {}, the strongest, {:.2g} dB below its echoes",
+          fmt::format("the estimated motion leaves target {}, the strongest, {:.2g} dB below its expected peak",
                       strongest->target + 1, lost_db))
           .expected(fmt::format("at most {:g} dB", max_db))
           .hint("use --motion scene, or fewer or more --bursts"));

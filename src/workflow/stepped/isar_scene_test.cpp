@@ -182,7 +182,7 @@ TEST(IsarImage, SaysWhatStandsAgainstIt) {
   scene::Scene still = ship_scene(true);
   still.platforms[1] = simulate::resting("Ship", {0.0, 5000.0, 0.0});
   const SteppedRows resting_rows = rows_of(still);
-  EXPECT_THAT(said(options_for(resting_rows), resting_rows), HasSubstr("does not turn"));
+  EXPECT_THAT(said(options_for(resting_rows), resting_rows), HasSubstr("does not rotate"));
   EXPECT_THROW((void)make_isar_image(resting_rows, 0, 3, options_for(resting_rows), two), std::invalid_argument);
 }
 

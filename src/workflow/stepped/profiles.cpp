@@ -59,7 +59,7 @@ void remark_on_window(SteppedInput& input, const SeriesOptions& options, const R
   if (!short_begin && !short_end) return;
   input.problems.push_back(
       core::note("profiles.window-not-shown",
-                 "the recorded samples do not show all of the script's window: profiles end with what they show")
+                 "the recorded samples do not show all of the script's window: profiles end where the recording ends")
           .found(stretch_text(shown))
           .expected(stretch_text(window))
           .hint("to see the rest, simulate the script, or record a longer window"));

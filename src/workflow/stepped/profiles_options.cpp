@@ -12,13 +12,12 @@ namespace {
 
 void add_speeds(OptionTable<ProfilesRequest>& table) {
   table.text("--velocity", "none|scene|estimated|M/S",
-             "radial speed that is compensated: none (default), that of the scene's targets, the one that makes "
-             "profiles sharpest, or given, positive receding",
+             "radial speed to compensate: none (default), that of the scene's targets, estimated for the sharpest "
+             "profiles, or in m/s, positive receding",
              [](ProfilesRequest& request, const std::string& word) { request.velocity = velocity_choice(word); });
-  table.number("--fastest", "M/S", "speeds that --velocity estimated looks through (default: 500)",
+  table.number("--fastest", "M/S", "largest speed searched by --velocity estimated (default: 500)",
                &ProfilesRequest::fastest_mps);
-  table.flag("--align",
-             "show targets where they are in the middle of their scan, not of each burst; means of sets always do",
+  table.flag("--align", "place targets at their mid-scan range instead of that of each burst; mean profiles always do",
              &ProfilesRequest::align);
 }
 
@@ -30,7 +29,7 @@ void add_profile(OptionTable<ProfilesRequest>& table) {
   table.number("--from", "M", "first range (default: the script's)", &ProfilesRequest::from_m);
   table.number("--to", "M", "last range (default: the script's, as far as the recording shows it)",
                &ProfilesRequest::to_m);
-  table.whole("--oversampling", 1, 64, "bins for each resolution cell (default: 4)", &ProfilesRequest::oversampling);
+  table.whole("--oversampling", 1, 64, "samples per resolution cell (default: 4)", &ProfilesRequest::oversampling);
   table.number("--illumination", "DB",
                "bursts within so many dB of the strongest, two-way, belong to a scan (default: 6)",
                &ProfilesRequest::illumination_db);

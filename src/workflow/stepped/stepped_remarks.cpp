@@ -46,13 +46,13 @@ void remark_on_band(core::Problems& problems, const signal::SteppedBand& band, c
             .hint(fmt::format("targets get grating lobes {:.4g} m apart; use smaller steps or a wider chirp",
                               limits.unambiguous_range_m)));
   if (w.subband_hz > 0.0 || limits.seen_m <= limits.unambiguous_range_m * (1.0 + 1e-9)) return;
-  problems.push_back(core::warning("stepped.gate-folds",
-                                   "one range gate sees more than a profile is long: targets may fold onto each other")
-                         .found(fmt::format("a gate sees {:.4g} m, a profile is {:.4g} m long", limits.seen_m,
-                                            limits.unambiguous_range_m))
-                         .expected(fmt::format("steps up to {} or a pulse up to {:.4g} ns",
-                                               hz_text(1.0 / w.pulse_width_s), 1e9 / step_hz))
-                         .hint("use smaller steps, a shorter pulse or chirps"));
+  problems.push_back(
+      core::warning("stepped.gate-folds",
+                    "the range gate is longer than the unambiguous profile: targets may alias onto each other")
+          .found(fmt::format("a gate covers {:.4g} m, a profile {:.4g} m", limits.seen_m, limits.unambiguous_range_m))
+          .expected(
+              fmt::format("steps up to {} or a pulse up to {:.4g} ns", hz_text(1.0 / w.pulse_width_s), 1e9 / step_hz))
+          .hint("use smaller steps, a shorter pulse or chirps"));
 }
 
 void remark_on_gates(core::Problems& problems, const signal::SteppedBand& band) {
@@ -74,10 +74,11 @@ void remark_on_targets(core::Problems& problems, const SteppedRows& rows, const 
   const double extent_m = extent.farthest_m - extent.nearest_m;
   // Within what one gate sees, targets so far apart share their bins.
   if (extent.empty() || extent_m <= limits.unambiguous_range_m || limits.seen_m <= limits.unambiguous_range_m) return;
-  problems.push_back(core::warning("stepped.targets-fold", "the targets reach farther than a profile is long")
-                         .found(fmt::format("{:.4g} m", extent_m))
-                         .expected(fmt::format("up to {:.4g} m, c/2 over the step", limits.unambiguous_range_m))
-                         .hint("some of them appear in the wrong place; use smaller steps"));
+  problems.push_back(
+      core::warning("stepped.targets-fold", "the targets extend farther than the unambiguous length of a profile")
+          .found(fmt::format("{:.4g} m", extent_m))
+          .expected(fmt::format("up to {:.4g} m, c/2 over the step", limits.unambiguous_range_m))
+          .hint("some of them appear at aliased ranges; use smaller steps"));
 }
 
 void remark_on_speed(core::Problems& problems, const SteppedRows& rows, const signal::SteppedLimits& limits,
@@ -102,12 +103,11 @@ void remark_on_speed(core::Problems& problems, const SteppedRows& rows, const si
           .hint(compensated_mps ? "the targets have speeds of their own; compensate the one that matters"
                                 : "compensate it: --velocity scene, estimated or a number"));
   if (rows.band->waveform().subband_hz > 0.0 || std::abs(shift) <= 0.5 * limits.seen_m) return;
-  problems.push_back(
-      core::warning("stepped.targets-lost",
-                    "targets are so fast that they appear outside the range gates that see them: they are lost")
-          .found(fmt::format("shifted by {:.4g} m", shift))
-          .expected(fmt::format("up to {:.4g} m, half of what a gate sees", 0.5 * limits.seen_m))
-          .hint("compensate their speed: --velocity scene, estimated or a number"));
+  problems.push_back(core::warning("stepped.targets-lost",
+                                   "targets are so fast that they appear outside their range gates: they are lost")
+                         .found(fmt::format("shifted by {:.4g} m", shift))
+                         .expected(fmt::format("up to {:.4g} m, half a range gate", 0.5 * limits.seen_m))
+                         .hint("compensate their speed: --velocity scene, estimated or a number"));
 }
 
 // The first carriers of a list.
@@ -140,7 +140,7 @@ core::Problems problems_of_stepped(const simulate::Acquisition& acquisition, Ste
                            .hint("for chirps on one carrier compress the recording: processing = \"matched-filter\""));
   else if (use == SteppedUse::isar && steps < 2 && mono)
     problems.push_back(
-        core::error("neither does the carrier step nor is the pulse modulated: there is no resolution in range")
+        core::error("the carrier is not stepped and the pulse is not modulated: there is no range resolution")
             .found("a pulse of type \"mono\" on one carrier")
             .expected("a carrier of type \"stepped\" or \"list\", or a modulated pulse"));
   if (recorded && acquisition.reception.is_profile())

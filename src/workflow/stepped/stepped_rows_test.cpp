@@ -285,7 +285,7 @@ TEST(ProblemsOfStepped, SayWhatKeepsARecordingFromBeingUsed) {
   EXPECT_EQ(problems(scene), "");
   scene.radars[0].carrier = scene::Radar::Carrier::single;
   EXPECT_THAT(problems(scene), HasSubstr("at least two frequency steps"));
-  EXPECT_THAT(problems(scene, SteppedUse::isar), HasSubstr("no resolution in range"));
+  EXPECT_THAT(problems(scene, SteppedUse::isar), HasSubstr("no range resolution"));
   make_chirped(scene);
   EXPECT_EQ(problems(scene, SteppedUse::isar), "");
   scene.radars[0].carrier = scene::Radar::Carrier::user;
@@ -317,10 +317,10 @@ TEST(RemarksOnStepped, SayWhatMakesProfilesAmbiguousOrBlurred) {
   EXPECT_THAT(remarks(gaps), HasSubstr("the joined band has gaps"));
   scene::Scene folds = scene;
   folds.radars[0].pulse_width_s = 300e-9;
-  EXPECT_THAT(remarks(folds), HasSubstr("targets may fold"));
-  EXPECT_THAT(remarks(folds), testing::Not(HasSubstr("reach farther")));
+  EXPECT_THAT(remarks(folds), HasSubstr("targets may alias"));
+  EXPECT_THAT(remarks(folds), testing::Not(HasSubstr("extend farther")));
   folds.targets.push_back(simulate::target_on("Earth", {3040.0, 0.0, 0.0}));
-  EXPECT_THAT(remarks(folds), HasSubstr("the targets reach farther than a profile is long"));
+  EXPECT_THAT(remarks(folds), HasSubstr("the targets extend farther than the unambiguous length of a profile"));
   scene::Scene sparse = scene;
   sparse.simulations[0].sample_rate_hz = 4e6;
   EXPECT_THAT(remarks(sparse), HasSubstr("targets between them are lost"));

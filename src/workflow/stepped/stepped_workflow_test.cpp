@@ -188,7 +188,7 @@ TEST_F(SteppedWorkflow, IsarRefusesBeforeAnythingIsWritten) {
     change(request);
     return refusal_of_stepped([&] { (void)isar(request); });
   };
-  EXPECT_THAT(refused([](IsarRequest& r) { r.options.turn_rate_radps = 0.0; }), HasSubstr("without turning"));
+  EXPECT_THAT(refused([](IsarRequest& r) { r.options.turn_rate_radps = 0.0; }), HasSubstr("without rotation"));
   EXPECT_THAT(refused([](IsarRequest& r) {
                 r.options.algorithm = IsarOptions::Algorithm::back_projection;
                 r.options.motion = IsarOptions::Motion::estimated;

@@ -152,7 +152,7 @@ class SweepRunner {
       finished_.watch([this] { make_variations(); }, tell);
     } catch (const core::Interrupted&) {
       const std::size_t before = plan_.variations.size() - plan_.open.size();
-      observer_.announces(fmt::format("sweep: {} of {} done; go on with --resume", before + finished_.finished(),
+      observer_.announces(fmt::format("sweep: {} of {} done; continue with --resume", before + finished_.finished(),
                                       core::counted(plan_.variations.size(), "variation")));
       throw;
     }

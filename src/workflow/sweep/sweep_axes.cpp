@@ -482,7 +482,7 @@ core::Problem Sweep::repetition(const std::vector<std::size_t>& group, std::size
   if (group.size() == 1 && !axis.law.empty()) return equal_draws(axis, first, second);
   if (group.size() == 1) {
     core::Problem problem = mistake_of(axis, second, "the value is given twice");
-    problem.hint = axis.of_table ? fmt::format("it stands in line {}, too", table_lines_.at(first))
+    problem.hint = axis.of_table ? fmt::format("it is on line {}, too", table_lines_.at(first))
                                  : "values of several fields that are paired (--zip) may be repeated";
     return problem;
   }
@@ -498,7 +498,7 @@ core::Problem Sweep::repetition(const std::vector<std::size_t>& group, std::size
   for (const std::size_t i : group)
     if (axes_[i].of_table) problem.place = place_of_value(axes_[i], second);
   if (std::ranges::all_of(group, [this](std::size_t i) { return axes_[i].of_table; }))
-    problem.hint = fmt::format("they stand in line {}, too", table_lines_.at(first));
+    problem.hint = fmt::format("they are on line {}, too", table_lines_.at(first));
   return problem;
 }
 

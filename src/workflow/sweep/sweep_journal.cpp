@@ -240,7 +240,7 @@ void expect_nobody_at_work(const fs::path& folder, const std::string& stem, cons
         core::error(other.count == 1 ? "this sweep is being made by another process"
                                      : fmt::format("part {}/{} of this sweep is being made by another process",
                                                    other.index + 1, other.count))
-            .hint("wait for it, or end it and go on with --resume")
+            .hint("wait for it, or end it and continue with --resume")
             .in(entry.path().string())});
   }
 }

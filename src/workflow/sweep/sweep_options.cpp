@@ -33,8 +33,9 @@ OptionTable<SweepValues> value_options() {
 OptionTable<PostProcessingLabels> post_processing_options() {
   OptionTable<PostProcessingLabels> table;
   table.flag("--focus", "focus each recording to an image, NAME.img", &PostProcessingLabels::focus);
-  table.flag("--measure", "measure each image against theory: columns of the table", &PostProcessingLabels::measure);
-  table.flag("--search", "make a picture and detections of each recording: columns of the table",
+  table.flag("--measure", "measure each image against expected values: columns of the table",
+             &PostProcessingLabels::measure);
+  table.flag("--search", "PPI display and detections of each recording: columns of the table",
              &PostProcessingLabels::search);
   table.flag("--profiles", "make range profiles of each recording: columns of the table",
              &PostProcessingLabels::profiles);
@@ -56,7 +57,7 @@ OptionTable<SweepRequest> output_options() {
   table.flag("--resume", "leave out what an earlier run completed", &SweepRequest::resume);
   table.flag("--counts", "converter counts instead of volts in HDF5, NPY, Zarr and SigMF", &SweepRequest::counts);
   table.flag("--header", "a header line in CSV", &SweepRequest::header);
-  table.flag("--discard", "write the tables alone, no recordings", &SweepRequest::discard);
+  table.flag("--discard", "write the tables only, no recordings", &SweepRequest::discard);
   table.flag("--strict", "warnings end the sweep before it begins", &SweepRequest::strict);
   table.flag("--force", "replace files that exist", &SweepRequest::force);
   return table;

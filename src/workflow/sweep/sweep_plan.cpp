@@ -29,7 +29,7 @@ std::vector<ProductJob> products_of(const SweepRequest& request) {
   if (core::has_errors(names.problems)) throw core::InvalidRequest(names.problems);
   std::vector<ProductJob> products = chosen_products(request.scene, names, request.products);
   if (!products.empty()) return products;
-  core::InvalidRequest nothing("the script asks for nothing that could vary",
+  core::InvalidRequest nothing("the script defines no recording or geometry table to vary",
                                "add a [[recording]] or a [[geometry]]; in a .scr, a $SIMULATION or a $GEOMETRY");
   nothing.problems.front().place.file = request.script;
   throw nothing;
@@ -119,7 +119,7 @@ SweepPlan plan_sweep(const SweepRequest& request, const core::Observer& observer
   SweepPlan plan{std::move(sweep), products_of(request)};
   if (request.post_processing && std::ranges::all_of(plan.products, &ProductJob::table))
     throw core::InvalidRequest(
-        fmt::format("--{}: no recording is made that could be followed up", word_of(request.post_processing.kind)),
+        fmt::format("--{}: no recording is made that it could process", word_of(request.post_processing.kind)),
         "choose a recording");
   name_rows(request, plan);
   take_finished(request, plan.rows);

@@ -142,7 +142,7 @@ TEST(SweepWorkflow, KeepsWhatWasDoneWhereItIsStopped) {
     if (progress.done == 3) stop.request();
   };
   EXPECT_THROW(static_cast<void>(sweep(request, observer)), core::Interrupted);
-  EXPECT_THAT(seen.lines.at(1), HasSubstr(" of 2000 variations done; go on with --resume"));
+  EXPECT_THAT(seen.lines.at(1), HasSubstr(" of 2000 variations done; continue with --resume"));
   EXPECT_FALSE(fs::exists(fs::path(request.folder) / "sweep.csv"));
   request.resume = true;
   EXPECT_LE(plan_sweep(request, {}).open.size(), 1997U);

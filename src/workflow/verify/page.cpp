@@ -46,7 +46,8 @@ std::string group_text(const Record& record, const std::string& group) {
   std::string html = fmt::format("<h2>{}</h2>\n", xml_text(group));
   for (const Chart& chart : record.charts())
     if (chart.group == group) html += svg_of(chart);
-  html += "<table>\n<tr><th>what</th><th>expected</th><th>measured</th><th>tolerance</th><th>unit</th><th></th></tr>\n";
+  html +=
+      "<table>\n<tr><th>quantity</th><th>expected</th><th>measured</th><th>tolerance</th><th>unit</th><th></th></tr>\n";
   for (const Finding& f : record.findings())
     if (f.group == group) html += row_of(f);
   return html + "</table>\n";
@@ -85,8 +86,8 @@ std::string page_of(const Record& record, const Facts& facts) {
       "<meta name=\"viewport\" content=\"width=device-width\">\n<title>sarsim verify</title>\n<style>{}</style>\n"
       "</head>\n<body>\n<h1>sarsim verify</h1>\n",
       style);
-  html += fmt::format("<p class=\"{}\">{} of {} statements hold.</p>\n<table>\n", good == all ? "holds" : "fails", good,
-                      all);
+  html += fmt::format("<p class=\"{}\">{} of {} comparisons agree.</p>\n<table>\n", good == all ? "holds" : "fails",
+                      good, all);
   for (const auto& [name, value] : facts)
     html += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", xml_text(name), xml_text(value));
   html += "</table>\n";

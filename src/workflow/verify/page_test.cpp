@@ -36,7 +36,7 @@ TEST(VerifyPage, ShowsWhatDoesNotHold) {
     r.chart({{}, "a chart", "x", "y", {{"curve", {0.0, 1.0}, {0.0, 1.0}, false}}, false, false});
   });
   const std::string page = page_of(record, {{"Processor", "\"fast\""}});
-  EXPECT_THAT(page, HasSubstr("1 of 2 statements hold"));
+  EXPECT_THAT(page, HasSubstr("1 of 2 comparisons agree"));
   EXPECT_THAT(page, HasSubstr("does not hold"));
   EXPECT_THAT(page, HasSubstr("&lt;bad&gt;"));
   EXPECT_THAT(page, HasSubstr("a &lt; b &amp; c"));
