@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <complex>
-#include <fstream>
-#include <functional>
+#include <iterator>
 #include <memory>
-#include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "capi/call.hpp"
@@ -18,18 +17,12 @@
 #include "simulate/run/geometry_table.hpp"
 #include "workflow/convert/convert_options.hpp"
 #include "workflow/exchange/export_options.hpp"
-#include "workflow/focus/focus.hpp"
-#include "workflow/focus/focus_options.hpp"
 #include "workflow/focus/focus_report.hpp"
 #include "workflow/focus/measure.hpp"
 #include "workflow/focus/measure_options.hpp"
 #include "workflow/options/option_words.hpp"
+#include "workflow/product/products.hpp"
 #include "workflow/record/geometry.hpp"
-#include "workflow/search/search_options.hpp"
-#include "workflow/search/search_report.hpp"
-#include "workflow/stepped/isar_options.hpp"
-#include "workflow/stepped/profiles_options.hpp"
-#include "workflow/stepped/stepped_report.hpp"
 #include "workflow/sweep/sweep.hpp"
 #include "workflow/sweep/sweep_options.hpp"
 
@@ -92,32 +85,26 @@ void hold(workflow::RecordingArguments& request, const workflow::RecordingArgume
 
 bool names(const workflow::GivenWords& given, const char* option) { return given.contains(option); }
 
-// The text of a file that was just written.
-std::string text_of_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 // The image that was made, in memory or as it was written.
 void add_image(Job& job, std::optional<workflow::InMemoryImage> kept, const std::filesystem::path& file) {
   job.result.rasters.push_back(kept ? capi::raster_of_image(*std::move(kept))
                                     : capi::raster_of_file(file.string(), {}, job.observer));
 }
 
-void focus(Job& job, const sarsim_source* source, const char* const* options, std::size_t count) {
+// Makes a product of echoes.
+template <const auto& product>
+void make(Job& job, const sarsim_source* source, const char* const* options, std::size_t count) {
   const workflow::RecordingArguments& input = input_of(source);
-  const auto given = capi::words_of(workflow::focus_option_table().options(), options, count);
-  workflow::FocusRequest request = workflow::focus_request(input.path, given);
+  const auto given = capi::words_of(product.options().options(), options, count);
+  auto request = product.request(input.path, given);
   hold(request.input, input);
-  if (!names(given, "--out")) request.output.clear();
+  keep_unnamed(request, given);
   if (!names(given, "--threads")) request.threads = job.how.threads;
-  const workflow::FocusReport report = workflow::focus(request, job.observer);
-  job.result.json = workflow::json_of(input.path, report);
-  std::optional<workflow::InMemoryImage> kept;
-  if (request.output.empty()) kept = workflow::in_memory_image(report);
-  add_image(job, std::move(kept), request.output);
+  auto report = product.make(request, job.observer);
+  job.result.json = core::json_of(workflow::facts_of(report));
+  job.result.tables = workflow::tables_of(report);
+  for (workflow::MadeImage& image : workflow::take_images(report, request))
+    add_image(job, std::move(image.kept), image.file);
 }
 
 void theory(Job& job, const sarsim_source* source, const char* const* options, std::size_t count) {
@@ -129,57 +116,6 @@ void theory(Job& job, const sarsim_source* source, const char* const* options, s
   job.result.tables.push_back(workflow::csv_of(workflow::theory_of_focus(request, job.observer)));
 }
 
-void profiles(Job& job, const sarsim_source* source, const char* const* options, std::size_t count) {
-  const workflow::RecordingArguments& input = input_of(source);
-  const auto given = capi::words_of(workflow::profiles_option_table().options(), options, count);
-  workflow::ProfilesRequest request = workflow::profiles_request(input.path, given);
-  hold(request.input, input);
-  request.keep = true;
-  if (!names(given, "--threads")) request.threads = job.how.threads;
-  workflow::ProfilesReport report = workflow::profiles(request, job.observer);
-  job.result.json = workflow::json_of(report);
-  job.result.tables.push_back(workflow::csv_of(report.targets));
-  add_image(job, std::move(report.kept), request.output);
-}
-
-void isar(Job& job, const sarsim_source* source, const char* const* options, std::size_t count) {
-  const workflow::RecordingArguments& input = input_of(source);
-  const auto given = capi::words_of(workflow::isar_option_table().options(), options, count);
-  workflow::IsarRequest request = workflow::isar_request(input.path, given);
-  hold(request.input, input);
-  request.keep = true;
-  if (!names(given, "--threads")) request.threads = job.how.threads;
-  workflow::IsarReport report = workflow::isar(request, job.observer);
-  job.result.json = workflow::json_of(report);
-  for (workflow::WrittenIsarImage& image : report.images) add_image(job, std::move(image.kept), image.file);
-}
-
-// What `doppler` and `search` do alike.
-template <class Request, class Report>
-void pulses(Job& job, const workflow::RecordingArguments& input, const workflow::GivenWords& given, Request request,
-            Report (*work)(const Request&, const core::Observer&)) {
-  hold(request.input, input);
-  request.keep = true;
-  if (!names(given, "--threads")) request.threads = job.how.threads;
-  Report report = work(request, job.observer);
-  job.result.json = workflow::json_of(report);
-  if (request.detect)
-    job.result.tables.push_back(report.table.empty() ? std::move(report.kept_table) : text_of_file(report.table));
-  if (request.image) add_image(job, std::move(report.kept), request.output);
-}
-
-void doppler(Job& job, const sarsim_source* source, const char* const* options, std::size_t count) {
-  const workflow::RecordingArguments& input = input_of(source);
-  const auto given = capi::words_of(workflow::doppler_option_table().options(), options, count);
-  pulses(job, input, given, workflow::doppler_request(input.path, given), workflow::doppler);
-}
-
-void search(Job& job, const sarsim_source* source, const char* const* options, std::size_t count) {
-  const workflow::RecordingArguments& input = input_of(source);
-  const auto given = capi::words_of(workflow::search_option_table().options(), options, count);
-  pulses(job, input, given, workflow::search_request(input.path, given), workflow::search);
-}
-
 void measure(Job& job, const sarsim_raster* image, const char* const* options, std::size_t count) {
   const sarsim_raster& known = capi::given(image, "sarsim_measure: image");
   const auto given = capi::words_of(workflow::measure_option_table().options(), options, count);
@@ -189,7 +125,7 @@ void measure(Job& job, const sarsim_raster* image, const char* const* options, s
   if (known.image) request.kept = known.image;
   if (!names(given, "--threads")) request.threads = job.how.threads;
   const workflow::MeasureReport report = workflow::measure(request, job.observer);
-  job.result.json = workflow::json_of(known.path, report);
+  job.result.json = core::json_of(workflow::facts_of(known.path, report));
   job.result.tables.push_back(workflow::csv_of(report));
 }
 
@@ -238,11 +174,14 @@ void export_echoes(Job& job, const sarsim_source* source, const char* const* opt
 }
 
 std::vector<workflow::Option> options_of(const std::string& work) {
-  if (work == "focus" || work == "theory") return workflow::focus_option_table().options();
-  if (work == "profiles") return workflow::profiles_option_table().options();
-  if (work == "isar") return workflow::isar_option_table().options();
-  if (work == "doppler") return workflow::doppler_option_table().options();
-  if (work == "search") return workflow::search_option_table().options();
+  if (work == "theory") return workflow::focus_option_table().options();
+  std::vector<workflow::Option> options;
+  std::apply(
+      [&](const auto&... product) {
+        (..., (work == product.name ? void(options = product.options().options()) : void()));
+      },
+      workflow::products);
+  if (!options.empty()) return options;
   if (work == "measure") return workflow::measure_option_table().options();
   if (work == "geometry") return workflow::geometry_option_table().options();
   if (work == "sweep") return workflow::sweep_option_table().options();
@@ -396,62 +335,24 @@ sarsim_status sarsim_options(const char* work, sarsim_style style, sarsim_text**
   });
 }
 
-sarsim_status sarsim_focus(const sarsim_source* source, const char* const* options, size_t option_count,
-                           const sarsim_work* work, sarsim_result** result, sarsim_problems** problems) {
-  return do_work("sarsim_focus: result", work, result, problems,
-                 [&](Job& job) { focus(job, source, options, option_count); });
-}
+// A function of sarsim.h that does work.
+// @param body  of `(job, subject, options, option_count)`
+#define SARSIM_WORK_FUNCTION(name, Subject, subject, body)                                                             \
+  sarsim_status name(const Subject* subject, const char* const* options, size_t option_count, const sarsim_work* work, \
+                     sarsim_result** result, sarsim_problems** problems) {                                             \
+    return do_work(#name ": result", work, result, problems,                                                           \
+                   [&](Job& job) { body(job, subject, options, option_count); });                                      \
+  }
 
-sarsim_status sarsim_profiles(const sarsim_source* source, const char* const* options, size_t option_count,
-                              const sarsim_work* work, sarsim_result** result, sarsim_problems** problems) {
-  return do_work("sarsim_profiles: result", work, result, problems,
-                 [&](Job& job) { profiles(job, source, options, option_count); });
-}
+SARSIM_WORK_FUNCTION(sarsim_focus, sarsim_source, source, make<workflow::focus_product>)
+SARSIM_WORK_FUNCTION(sarsim_profiles, sarsim_source, source, make<workflow::profiles_product>)
+SARSIM_WORK_FUNCTION(sarsim_isar, sarsim_source, source, make<workflow::isar_product>)
+SARSIM_WORK_FUNCTION(sarsim_doppler, sarsim_source, source, make<workflow::doppler_product>)
+SARSIM_WORK_FUNCTION(sarsim_search, sarsim_source, source, make<workflow::search_product>)
+SARSIM_WORK_FUNCTION(sarsim_measure, sarsim_raster, image, measure)
+SARSIM_WORK_FUNCTION(sarsim_theory, sarsim_source, source, theory)
+SARSIM_WORK_FUNCTION(sarsim_geometry, sarsim_source, source, geometry)
+SARSIM_WORK_FUNCTION(sarsim_sweep, sarsim_scene, scene, sweep)
+SARSIM_WORK_FUNCTION(sarsim_export, sarsim_source, source, export_echoes)
 
-sarsim_status sarsim_isar(const sarsim_source* source, const char* const* options, size_t option_count,
-                          const sarsim_work* work, sarsim_result** result, sarsim_problems** problems) {
-  return do_work("sarsim_isar: result", work, result, problems,
-                 [&](Job& job) { isar(job, source, options, option_count); });
-}
-
-sarsim_status sarsim_doppler(const sarsim_source* source, const char* const* options, size_t option_count,
-                             const sarsim_work* work, sarsim_result** result, sarsim_problems** problems) {
-  return do_work("sarsim_doppler: result", work, result, problems,
-                 [&](Job& job) { doppler(job, source, options, option_count); });
-}
-
-sarsim_status sarsim_search(const sarsim_source* source, const char* const* options, size_t option_count,
-                            const sarsim_work* work, sarsim_result** result, sarsim_problems** problems) {
-  return do_work("sarsim_search: result", work, result, problems,
-                 [&](Job& job) { search(job, source, options, option_count); });
-}
-
-sarsim_status sarsim_measure(const sarsim_raster* image, const char* const* options, size_t option_count,
-                             const sarsim_work* work, sarsim_result** result, sarsim_problems** problems) {
-  return do_work("sarsim_measure: result", work, result, problems,
-                 [&](Job& job) { measure(job, image, options, option_count); });
-}
-
-sarsim_status sarsim_theory(const sarsim_source* source, const char* const* options, size_t option_count,
-                            const sarsim_work* work, sarsim_result** result, sarsim_problems** problems) {
-  return do_work("sarsim_theory: result", work, result, problems,
-                 [&](Job& job) { theory(job, source, options, option_count); });
-}
-
-sarsim_status sarsim_geometry(const sarsim_source* source, const char* const* options, size_t option_count,
-                              const sarsim_work* work, sarsim_result** result, sarsim_problems** problems) {
-  return do_work("sarsim_geometry: result", work, result, problems,
-                 [&](Job& job) { geometry(job, source, options, option_count); });
-}
-
-sarsim_status sarsim_sweep(const sarsim_scene* scene, const char* const* options, size_t option_count,
-                           const sarsim_work* work, sarsim_result** result, sarsim_problems** problems) {
-  return do_work("sarsim_sweep: result", work, result, problems,
-                 [&](Job& job) { sweep(job, scene, options, option_count); });
-}
-
-sarsim_status sarsim_export(const sarsim_source* source, const char* const* options, size_t option_count,
-                            const sarsim_work* work, sarsim_result** result, sarsim_problems** problems) {
-  return do_work("sarsim_export: result", work, result, problems,
-                 [&](Job& job) { export_echoes(job, source, options, option_count); });
-}
+#undef SARSIM_WORK_FUNCTION

@@ -54,7 +54,9 @@ std::string findings_text(const std::vector<workflow::TargetFinding>& findings, 
   return text;
 }
 
-std::string summary_text(const workflow::PulseReport& report, const std::string& image) {
+}  // namespace
+
+std::string text_of_pulses(const workflow::PulseReport& report, const std::string& image) {
   std::string text =
       fmt::format("{}: {} of {}, {}{}\n", report.files.front().string(), counted(report.intervals, "interval"),
                   counted(report.options.pulses, "pulse"), image, core::duration_text(report.seconds));
@@ -62,16 +64,6 @@ std::string summary_text(const workflow::PulseReport& report, const std::string&
     text += fmt::format("{}: {}; expected false alarms: {:.3g}\n", report.table.string(),
                         counted(report.detections, "detection"), report.expected_false_alarms);
   return text + findings_text(report.findings, report.doppler());
-}
-
-}  // namespace
-
-void print_report(Streams& streams, const RequestArguments& arguments, const workflow::PulseReport& report,
-                  const std::string& image, const std::string& json) {
-  if (!arguments.quiet) write_err(streams, summary_text(report, image));
-  if (!arguments.json) return;
-  write_out(streams, json);
-  flush_out(streams);
 }
 
 }  // namespace sarsim::cli

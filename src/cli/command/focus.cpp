@@ -1,19 +1,10 @@
-#include <filesystem>
-#include <memory>
-#include <ostream>
 #include <string>
 
 #include <fmt/format.h>
 
-#include "cli/command/commands.hpp"
-#include "cli/shell/options.hpp"
+#include "cli/command/product_command.hpp"
 #include "cli/shell/report.hpp"
-#include "cli/shell/request_options.hpp"
-#include "cli/shell/watch.hpp"
 #include "core/text/number_text.hpp"
-#include "workflow/focus/focus.hpp"
-#include "workflow/focus/focus_options.hpp"
-#include "workflow/focus/focus_report.hpp"
 
 namespace sarsim::cli {
 
@@ -42,39 +33,27 @@ std::string text_of_autofocus(const workflow::AutofocusFinding& found) {
   return text + (found.applied ? "\n" : "; it failed, and the image is unchanged\n");
 }
 
-ExitStatus run_focus(const RequestArguments& arguments, Streams& streams) {
-  const workflow::FocusRequest request = workflow::focus_request(arguments.input, arguments.given());
-  Watch watch(streams, arguments.quiet);
-  const workflow::FocusReport report = workflow::focus(request, watch.observer());
-  watch.close();
-  if (!arguments.quiet) {
-    write_err(streams, text_of_image(request.output.string(), report));
-    if (report.motion != workflow::MotionOrder::none)
-      write_err(
-          streams,
-          fmt::format("  motion compensation of {} order: the track deviates from the fitted line by up to {:.3g} m\n",
-                      to_string(report.motion), report.strays_m));
-    if (report.autofocus) write_err(streams, text_of_autofocus(*report.autofocus));
-  }
-  if (!arguments.json) return exit_done;
-  write_out(streams, workflow::json_of(arguments.input, report));
-  flush_out(streams);
-  return exit_done;
+ProductText text_of_focus(const workflow::FocusReport& report, const workflow::FocusRequest& request) {
+  std::string text = text_of_image(request.output.string(), report);
+  if (report.motion != workflow::MotionOrder::none)
+    text +=
+        fmt::format("  motion compensation of {} order: the track deviates from the fitted line by up to {:.3g} m\n",
+                    to_string(report.motion), report.strays_m);
+  if (report.autofocus) text += text_of_autofocus(*report.autofocus);
+  return {text};
 }
 
 }  // namespace
 
 Action add_focus(CLI::App& app) {
-  auto arguments = std::make_shared<RequestArguments>();
-  add_request_arguments(app, workflow::focus_option_table().options(), *arguments,
-                        "scene to simulate and focus, or file of samples");
-  add_examples(app, {{"sarsim focus sar_r.toml", "simulate and focus: sar_r.img with its header sar_r.hdr"},
-                     {"sarsim focus sim1.h5 --window taylor:35:5", "a recording, with lower sidelobes"},
-                     {"sarsim focus sim1.bin --script scene.toml --out image.npy", "a file without its script"},
-                     {"sarsim focus flight.h5 --autofocus --autofocus-phase phase.csv", "with phase errors removed"},
-                     {"sarsim focus sar_r.toml --algorithm back-projection --grid ground", "onto level ground"},
-                     {"sarsim focus big.h5 --memory 500M --scratch /data", "in less memory than the image"}});
-  return [arguments](Streams& streams) { return run_focus(*arguments, streams); };
+  return add_product(app, workflow::focus_product,
+                     {{"sarsim focus sar_r.toml", "simulate and focus: sar_r.img with its header sar_r.hdr"},
+                      {"sarsim focus sim1.h5 --window taylor:35:5", "a recording, with lower sidelobes"},
+                      {"sarsim focus sim1.bin --script scene.toml --out image.npy", "a file without its script"},
+                      {"sarsim focus flight.h5 --autofocus --autofocus-phase phase.csv", "with phase errors removed"},
+                      {"sarsim focus sar_r.toml --algorithm back-projection --grid ground", "onto level ground"},
+                      {"sarsim focus big.h5 --memory 500M --scratch /data", "in less memory than the image"}},
+                     text_of_focus, "scene to simulate and focus, or file of samples");
 }
 
 }  // namespace sarsim::cli

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "cli/shell/figures.hpp"
 #include "cli/shell/report.hpp"
 #include "cli/shell/watch.hpp"
 #include "core/build/version.hpp"
+#include "core/text/facts.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
 #include "workflow/input/sample_facts.hpp"
@@ -24,35 +24,35 @@ std::string quantity(double value, bool counts) {
   return counts ? fmt::format("{:.9g}", value) : fmt::format("{:.6g} V", value);
 }
 
-std::vector<Figure> shape_figures(const workflow::SampleFacts& facts) {
+core::Facts facts_of_shape(const workflow::SampleFacts& facts) {
   const raster::RasterInfo& info = facts.file->info();
-  std::vector<Figure> f;
-  f.push_back(word_figure("format", "format", raster::word_of(*info.format)));
   const auto rows = static_cast<double>(facts.rows);
+  core::Facts f{{"format", "format", raster::word_of(*info.format)}};
   if (facts.rows_estimated)
-    f.push_back(figure("rows", "rows_estimated", rows,
-                       fmt::format("about {:.2g} (a text has no header; --statistics counts them)", rows)));
+    f.push_back(core::worded("rows_estimated", "rows", rows,
+                             fmt::format("about {:.2g} (a text has no header; --statistics counts them)", rows)));
   else
-    f.push_back(figure("rows", "rows", rows, std::to_string(facts.rows)));
-  f.push_back(figure("samples of a row", "columns", static_cast<double>(info.columns), std::to_string(info.columns)));
-  f.push_back(word_figure("values", "values", info.counts ? "counts" : "volts"));
-  if (info.bits > 0) f.push_back(figure("A/D bits", "bits", info.bits));
-  if (info.lsb_v) f.push_back(figure("LSB", "lsb_v", *info.lsb_v, fmt::format("{:.6G} mV", 1e3 * *info.lsb_v)));
-  if (info.sample_rate_hz) f.push_back(si_figure("sampling rate", "sample_rate_hz", *info.sample_rate_hz, "Hz"));
+    f.push_back(core::worded("rows", "rows", rows, std::to_string(facts.rows)));
+  f.push_back(
+      core::worded("columns", "samples of a row", static_cast<double>(info.columns), std::to_string(info.columns)));
+  f.push_back({"values", "values", info.counts ? "counts" : "volts"});
+  if (info.bits > 0) f.push_back({"bits", "A/D bits", info.bits});
+  if (info.lsb_v) f.push_back(core::worded("lsb_v", "LSB", *info.lsb_v, fmt::format("{:.6G} mV", 1e3 * *info.lsb_v)));
+  if (info.sample_rate_hz) f.push_back({"sample_rate_hz", "sampling rate", *info.sample_rate_hz, "Hz"});
   return f;
 }
 
-void add_axis(std::vector<Figure>& figures, const char* label, const std::string& key, std::string_view unit,
+void add_axis(core::Facts& facts, const char* label, const std::string& key, std::string_view unit,
               const std::vector<double>& axis) {
   if (axis.empty()) return;
   const std::string suffix = "_" + std::string(unit == "Hz" ? "hz" : unit);
-  figures.push_back(figure(label, "first_" + key + suffix, axis.front(),
-                           core::with_prefix(axis.front(), unit) + " to " + core::with_prefix(axis.back(), unit)));
-  figures.push_back({"", "", "last_" + key + suffix, axis.back(), {}});
+  append(facts, {core::worded("first_" + key + suffix, label, axis.front(),
+                              core::with_prefix(axis.front(), unit) + " to " + core::with_prefix(axis.back(), unit)),
+                 {"last_" + key + suffix, "", axis.back()}});
 }
 
-std::vector<Figure> axis_figures(const raster::Raster& file) {
-  std::vector<Figure> f;
+core::Facts facts_of_axes(const raster::Raster& file) {
+  core::Facts f;
   const std::optional<raster::RasterAxes> axes = file.axes();
   if (!axes) return f;
   add_axis(f, "send times", "time", "s", axes->row_time_s);
@@ -64,21 +64,21 @@ std::vector<Figure> axis_figures(const raster::Raster& file) {
   return f;
 }
 
-std::vector<Figure> statistics_figures(const signal::SampleStatistics& s, bool counts) {
-  std::vector<Figure> f;
-  f.push_back(figure("lowest I or Q", "lowest", s.lowest, quantity(s.lowest, counts)));
-  f.push_back(figure("highest I or Q", "highest", s.highest, quantity(s.highest, counts)));
-  f.push_back(figure("rms magnitude", "rms", s.rms(), quantity(s.rms(), counts)));
-  f.push_back(figure("largest magnitude", "largest_magnitude", s.largest_magnitude,
-                     fmt::format("{} in row {}, column {} (from 0)", quantity(s.largest_magnitude, counts),
-                                 s.largest_row, s.largest_column)));
-  f.push_back({"", "", "largest_row", static_cast<double>(s.largest_row), {}});
-  f.push_back({"", "", "largest_column", static_cast<double>(s.largest_column), {}});
+core::Facts facts_of_statistics(const signal::SampleStatistics& s, bool counts) {
   const double samples = std::max(1.0, static_cast<double>(s.samples));
-  f.push_back(figure("zero samples", "zero_share", static_cast<double>(s.zeros) / samples,
-                     fmt::format("{} ({:.4g} %)", s.zeros, 100.0 * static_cast<double>(s.zeros) / samples)));
+  const auto number = [](auto count) { return static_cast<double>(count); };
+  core::Facts f{core::worded("lowest", "lowest I or Q", s.lowest, quantity(s.lowest, counts)),
+                core::worded("highest", "highest I or Q", s.highest, quantity(s.highest, counts)),
+                core::worded("rms", "rms magnitude", s.rms(), quantity(s.rms(), counts)),
+                core::worded("largest_magnitude", "largest magnitude", s.largest_magnitude,
+                             fmt::format("{} in row {}, column {} (from 0)", quantity(s.largest_magnitude, counts),
+                                         s.largest_row, s.largest_column)),
+                {"largest_row", "", number(s.largest_row)},
+                {"largest_column", "", number(s.largest_column)},
+                core::worded("zero_share", "zero samples", number(s.zeros) / samples,
+                             fmt::format("{} ({:.4g} %)", s.zeros, 100.0 * number(s.zeros) / samples))};
   if (s.not_finite > 0)
-    f.push_back(figure("not finite", "not_finite", static_cast<double>(s.not_finite), std::to_string(s.not_finite)));
+    f.push_back(core::worded("not_finite", "not finite", number(s.not_finite), std::to_string(s.not_finite)));
   return f;
 }
 
@@ -88,22 +88,21 @@ std::string shown(const std::pair<std::string, std::string>& attribute) {
   return fmt::format("({} bytes of text; --json shows them)", attribute.second.size());
 }
 
-std::string text_of(const std::string& path, const raster::RasterInfo& info, std::vector<Figure> figures) {
-  std::erase_if(figures, [](const Figure& f) { return f.label.empty(); });
+std::string text_of(const std::string& path, const raster::RasterInfo& info, const core::Facts& facts) {
   std::error_code failure;
   const auto bytes = std::filesystem::file_size(path, failure);
   std::string text = failure ? path + "\n" : path + ", " + core::bytes_text(static_cast<double>(bytes)) + "\n";
-  text += figures_text(figures);
+  text += core::text_of(facts);
   if (!info.attributes.empty()) text += "attributes\n";
   for (const auto& attribute : info.attributes)
     text += core::printable(fmt::format("  {:<24} {}\n", attribute.first, shown(attribute)));
   return text;
 }
 
-std::string json_of(const std::string& path, const raster::RasterInfo& info, const std::vector<Figure>& figures) {
+std::string json_of(const std::string& path, const raster::RasterInfo& info, const core::Facts& facts) {
   core::JsonWriter json;
   json.begin_object().member("sarsim", core::program_version).member("file", path);
-  write_json(json, figures);
+  core::write_json(json, facts);
   json.key("attributes").begin_object();
   for (const auto& [name, value] : info.attributes) json.member(name, value);
   json.end_object().end_object();
@@ -117,11 +116,10 @@ ExitStatus print_data_info(const DataInfoArguments& arguments, Streams& streams)
   const workflow::SampleFacts facts =
       workflow::facts_of_samples(arguments.path, arguments.sample, arguments.statistics, watch.observer());
   const raster::RasterInfo& info = facts.file->info();
-  std::vector<Figure> figures = shape_figures(facts);
-  std::ranges::move(axis_figures(*facts.file), std::back_inserter(figures));
-  if (facts.statistics)
-    std::ranges::move(statistics_figures(*facts.statistics, info.counts), std::back_inserter(figures));
-  write_out(streams, arguments.json ? json_of(arguments.path, info, figures) : text_of(arguments.path, info, figures));
+  core::Facts told = facts_of_shape(facts);
+  append(told, facts_of_axes(*facts.file));
+  if (facts.statistics) append(told, facts_of_statistics(*facts.statistics, info.counts));
+  write_out(streams, arguments.json ? json_of(arguments.path, info, told) : text_of(arguments.path, info, told));
   return exit_done;
 }
 

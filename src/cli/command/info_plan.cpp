@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "cli/shell/figures.hpp"
 #include "cli/shell/report.hpp"
 #include "cli/shell/watch.hpp"
 #include "core/build/version.hpp"
+#include "core/text/facts.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
 #include "workflow/input/scene_words.hpp"
@@ -28,102 +28,91 @@ std::vector<unsigned> worker_counts(unsigned workers) {
   return counts;
 }
 
-class PlanInfo {
- public:
-  PlanInfo(const PlanArguments& arguments, workflow::PlanForecast plan)
-      : arguments_(arguments), plan_(std::move(plan)) {}
+std::string count_text(double value) {
+  return value < 1e6 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
+}
 
-  [[nodiscard]] std::string text() const {
-    std::string text =
-        fmt::format("{}: {} recording{}, {} thread{} for each worker\n", arguments_.path, plan_.recordings.size(),
-                    plan_.recordings.size() == 1 ? "" : "s", plan_.threads, plan_.threads == 1 ? "" : "s");
-    for (const workflow::RecordingForecast& r : plan_.recordings) text += text_of(r);
-    if (plan_.recordings.size() > 1) {
-      text += "\nall of them\n" + figures_text({si_count("samples", plan_.samples()), size("files", plan_.bytes()),
-                                                size("memory of a worker", plan_.memory_bytes())});
-    }
-    if (plan_.recordings.empty()) return text + "  the scene has no recording\n";
-    return text + workers_text();
-  }
+std::string trial_text(const workflow::RecordingForecast& r) {
+  return fmt::format("{}, from a trial of {}{}", core::duration_text(r.seconds(1)), counted(r.trial.rows, "row"),
+                     r.twice ? "; computed twice, because the LSB is 0" : "");
+}
 
-  [[nodiscard]] std::string json() const {
-    core::JsonWriter json;
-    json.begin_object().member("sarsim", core::program_version).member("script", arguments_.path);
-    json.member("threads", plan_.threads).member("reading_seconds", plan_.reading_s).key("simulations").begin_array();
-    for (const workflow::RecordingForecast& r : plan_.recordings) write_recording(json, r);
-    json.end_array()
-        .member("samples", plan_.samples())
-        .member("bytes", plan_.bytes())
-        .member("memory_bytes", plan_.memory_bytes());
-    json.member("seconds", plan_.seconds(1)).key("workers").begin_array();
-    for (const unsigned workers : worker_counts(arguments_.workers))
-      json.begin_object()
-          .member("workers", workers)
-          .member("seconds", plan_.seconds(workers))
-          .member("speedup", plan_.times_as_fast(workers))
-          .end_object();
-    json.end_array();
-    return json.end_object().text();
-  }
+core::Facts facts_of(const workflow::RecordingForecast& r) {
+  return {{"number", "", r.number},
+          {"file", "", r.simulation.file},
+          {"radar", "", r.simulation.radar},
+          {"format", "", workflow::format_word(r.simulation.format)},
+          {"processing", "", workflow::processing_word(r.simulation.processing)},
+          {"engine", "", r.engine},
+          {"rows", "", r.rows},
+          {"columns", "", r.columns},
+          core::worded("samples", "samples", r.samples(),
+                       fmt::format("{} x {}, {} rows can be shared out", r.rows, r.columns, r.rows)),
+          core::worded("echoes", "echoes", r.echoes, count_text(r.echoes)),
+          core::worded("bytes", "file", r.bytes,
+                       (is_text(r.simulation.format) ? "about " : "") + core::bytes_text(r.bytes)),
+          core::worded("memory_bytes", "memory of a worker", r.memory_bytes, core::bytes_text(r.memory_bytes)),
+          {"passes", "", r.twice ? 2 : 1},
+          {"trial_rows", "", r.trial.rows},
+          {"seconds_per_row", "", r.trial.seconds_per_row},
+          {"fixed_seconds", "", r.fixed_s},
+          core::worded("seconds", "time", r.seconds(1), trial_text(r))};
+}
 
- private:
-  static Figure si_count(const char* label, double value) {
-    return figure(label, "", value, value < 1e6 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value));
-  }
-  static Figure size(const char* label, double bytes) { return figure(label, "", bytes, core::bytes_text(bytes)); }
+core::Facts facts_of_sizes(const workflow::PlanForecast& plan) {
+  return {
+      core::worded("samples", "samples", plan.samples(), count_text(plan.samples())),
+      core::worded("bytes", "files", plan.bytes(), core::bytes_text(plan.bytes())),
+      core::worded("memory_bytes", "memory of a worker", plan.memory_bytes(), core::bytes_text(plan.memory_bytes()))};
+}
 
-  [[nodiscard]] static std::string text_of(const workflow::RecordingForecast& r) {
-    std::vector<Figure> figures;
-    figures.push_back(figure("samples", "", r.samples(),
-                             fmt::format("{} x {}, {} rows can be shared out", r.rows, r.columns, r.rows)));
-    figures.push_back(si_count("echoes", r.echoes));
-    figures.push_back(
-        figure("file", "", r.bytes, (is_text(r.simulation.format) ? "about " : "") + core::bytes_text(r.bytes)));
-    figures.push_back(size("memory of a worker", r.memory_bytes));
-    figures.push_back(
-        figure("time", "", r.seconds(1),
-               fmt::format("{}, from a trial of {} row{}{}", core::duration_text(r.seconds(1)), r.trial.rows,
-                           r.trial.rows == 1 ? "" : "s", r.twice ? "; computed twice, because the LSB is 0" : "")));
-    return fmt::format("\nsimulation {}: {}, {}, {} engine\n", r.number, r.simulation.file,
-                       workflow::processing_word(r.simulation.processing), r.engine) +
-           figures_text(figures);
-  }
+core::Facts facts_of_workers(const workflow::PlanForecast& plan, unsigned workers) {
+  const std::string time = core::duration_text(plan.seconds(workers));
+  return {
+      {"workers", "", workers},
+      core::worded("seconds", counted(workers, "worker"), plan.seconds(workers),
+                   workers == 1 ? time : fmt::format("{}, {:.3g} times as fast", time, plan.times_as_fast(workers))),
+      {"speedup", "", plan.times_as_fast(workers)}};
+}
 
-  [[nodiscard]] std::string workers_text() const {
-    std::string text = fmt::format("\ntime, {} of it for reading and checking, without the disk\n",
-                                   core::duration_text(plan_.reading_s));
-    std::vector<Figure> figures;
-    for (const unsigned workers : worker_counts(arguments_.workers))
-      figures.push_back(
-          figure(fmt::format("{} worker{}", workers, workers == 1 ? "" : "s"), "", plan_.seconds(workers),
-                 workers == 1 ? core::duration_text(plan_.seconds(1))
-                              : fmt::format("{}, {:.3g} times as fast", core::duration_text(plan_.seconds(workers)),
-                                            plan_.times_as_fast(workers))));
-    return text + figures_text(figures);
-  }
+std::string text_of(const PlanArguments& arguments, const workflow::PlanForecast& plan) {
+  std::string text = fmt::format("{}: {}, {} for each worker\n", arguments.path,
+                                 counted(plan.recordings.size(), "recording"), counted(plan.threads, "thread"));
+  for (const workflow::RecordingForecast& r : plan.recordings)
+    text += fmt::format("\nsimulation {}: {}, {}, {} engine\n", r.number, r.simulation.file,
+                        workflow::processing_word(r.simulation.processing), r.engine) +
+            core::text_of(facts_of(r));
+  if (plan.recordings.empty()) return text + "  the scene has no recording\n";
+  if (plan.recordings.size() > 1) text += "\nall of them\n" + core::text_of(facts_of_sizes(plan));
+  text +=
+      fmt::format("\ntime, {} of it for reading and checking, without the disk\n", core::duration_text(plan.reading_s));
+  for (const unsigned workers : worker_counts(arguments.workers))
+    text += core::text_of(facts_of_workers(plan, workers));
+  return text;
+}
 
-  void write_recording(core::JsonWriter& json, const workflow::RecordingForecast& r) const {
-    json.begin_object().member("number", r.number).member("file", r.simulation.file);
-    json.member("radar", r.simulation.radar).member("format", workflow::format_word(r.simulation.format));
-    json.member("processing", workflow::processing_word(r.simulation.processing)).member("engine", r.engine);
-    json.member("rows", r.rows).member("columns", r.columns).member("samples", r.samples());
-    json.member("echoes", r.echoes).member("bytes", r.bytes).member("memory_bytes", r.memory_bytes);
-    json.member("passes", r.twice ? 2 : 1).member("trial_rows", r.trial.rows);
-    json.member("seconds_per_row", r.trial.seconds_per_row).member("fixed_seconds", r.fixed_s);
-    json.member("seconds", r.seconds(1)).end_object();
-  }
-
-  const PlanArguments& arguments_;
-  workflow::PlanForecast plan_;
-};
+std::string json_of(const PlanArguments& arguments, const workflow::PlanForecast& plan) {
+  core::FactRows recordings;
+  for (const workflow::RecordingForecast& r : plan.recordings) recordings.push_back(facts_of(r));
+  core::FactRows workers;
+  for (const unsigned count : worker_counts(arguments.workers)) workers.push_back(facts_of_workers(plan, count));
+  core::Facts facts{{"sarsim", "", core::program_version},
+                    {"script", "", arguments.path},
+                    {"threads", "", plan.threads},
+                    {"reading_seconds", "", plan.reading_s},
+                    {"simulations", "", std::move(recordings)}};
+  append(facts, facts_of_sizes(plan));
+  append(facts, {{"seconds", "", plan.seconds(1)}, {"workers", "", std::move(workers)}});
+  return core::json_of(facts);
+}
 
 }  // namespace
 
 ExitStatus print_plan(const PlanArguments& arguments, Streams& streams) {
   Watch watch(streams, false);
-  const PlanInfo info(arguments, workflow::forecast_recordings({arguments.path, arguments.overrides, arguments.threads},
-                                                               watch.observer()));
-  write_out(streams, arguments.json ? info.json() : info.text());
+  const workflow::PlanForecast plan =
+      workflow::forecast_recordings({arguments.path, arguments.overrides, arguments.threads}, watch.observer());
+  write_out(streams, arguments.json ? json_of(arguments, plan) : text_of(arguments, plan));
   return exit_done;
 }
 

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "cli/command/info_places.hpp"
-#include "cli/shell/figures.hpp"
 #include "cli/shell/report.hpp"
 #include "core/build/version.hpp"
 #include "core/task/parallel.hpp"
+#include "core/text/facts.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/model/world_frame.hpp"
 #include "simulate/survey/derived.hpp"
@@ -39,67 +39,57 @@ std::string between(double low, double high, std::string_view unit) {
 std::string decibels(double ratio) { return fmt::format("{:.1f} dB", 10.0 * std::log10(ratio)); }
 
 // @param shaped  whether the pulse is user-defined, whose resolution is a width and not c/2B
-std::vector<Figure> figures_of(const simulate::RadarFigures& r, bool shaped) {
-  std::vector<Figure> f;
-  f.push_back(figure("carrier", "lowest_carrier_hz", r.lowest_carrier_hz,
-                     between(r.lowest_carrier_hz, r.highest_carrier_hz, "Hz")));
-  f.push_back({"", "", "highest_carrier_hz", r.highest_carrier_hz, {}});
-  f.push_back(figure("wavelength", "shortest_wavelength_m", r.shortest_wavelength_m,
-                     between(r.shortest_wavelength_m, r.longest_wavelength_m, "m")));
-  f.push_back({"", "", "longest_wavelength_m", r.longest_wavelength_m, {}});
-  f.push_back(si_figure("bandwidth", "bandwidth_hz", r.bandwidth_hz, "Hz"));
-  f.push_back(si_figure(shaped ? "range resolution" : "range resolution c/2B", "range_resolution_m",
-                        r.range_resolution_m, "m"));
-  if (r.synthetic_range_resolution_m > 0.0)
-    f.push_back(
-        si_figure("over all frequency steps", "synthetic_range_resolution_m", r.synthetic_range_resolution_m, "m"));
-  f.push_back(si_figure("pulse length", "pulse_length_m", r.pulse_length_m, "m"));
-  f.push_back(figure("time-bandwidth product", "time_bandwidth", r.time_bandwidth));
-  f.push_back(si_figure("PRF (mean)", "mean_prf_hz", r.mean_prf_hz, "Hz"));
-  f.push_back(si_figure("shortest PRI", "shortest_pri_s", r.shortest_pri_s, "s"));
-  f.push_back(si_figure("unambiguous range", "unambiguous_range_m", r.unambiguous_range_m, "m"));
-  f.push_back(figure("unambiguous speed", "unambiguous_speed_mps", r.unambiguous_speed_mps,
-                     "+-" + core::with_prefix(r.unambiguous_speed_mps, "m/s")));
-  f.push_back(figure("duty cycle", "duty_cycle", r.duty_cycle, fmt::format("{:.4g} %", 100.0 * r.duty_cycle)));
-  f.push_back(si_figure("mean power", "mean_power_w", r.mean_power_w, "W"));
-  f.push_back(figure("noise power kTB", "noise_power_w", r.noise_power_w, fmt::format("{:.4g} W", r.noise_power_w)));
-  return f;
+core::Facts facts_of(const simulate::RadarFigures& r, bool shaped) {
+  const bool steps = r.synthetic_range_resolution_m > 0.0;
+  return {core::worded("lowest_carrier_hz", "carrier", r.lowest_carrier_hz,
+                       between(r.lowest_carrier_hz, r.highest_carrier_hz, "Hz")),
+          {"highest_carrier_hz", "", r.highest_carrier_hz},
+          core::worded("shortest_wavelength_m", "wavelength", r.shortest_wavelength_m,
+                       between(r.shortest_wavelength_m, r.longest_wavelength_m, "m")),
+          {"longest_wavelength_m", "", r.longest_wavelength_m},
+          {"bandwidth_hz", "bandwidth", r.bandwidth_hz, "Hz"},
+          {"range_resolution_m", shaped ? "range resolution" : "range resolution c/2B", r.range_resolution_m, "m"},
+          {steps ? "synthetic_range_resolution_m" : "", steps ? "over all frequency steps" : "",
+           r.synthetic_range_resolution_m, "m"},
+          {"pulse_length_m", "pulse length", r.pulse_length_m, "m"},
+          {"time_bandwidth", "time-bandwidth product", r.time_bandwidth},
+          {"mean_prf_hz", "PRF (mean)", r.mean_prf_hz, "Hz"},
+          {"shortest_pri_s", "shortest PRI", r.shortest_pri_s, "s"},
+          {"unambiguous_range_m", "unambiguous range", r.unambiguous_range_m, "m"},
+          core::worded("unambiguous_speed_mps", "unambiguous speed", r.unambiguous_speed_mps,
+                       "+-" + core::with_prefix(r.unambiguous_speed_mps, "m/s")),
+          core::worded("duty_cycle", "duty cycle", r.duty_cycle, fmt::format("{:.4g} %", 100.0 * r.duty_cycle)),
+          {"mean_power_w", "mean power", r.mean_power_w, "W"},
+          {"noise_power_w", "noise power kTB", r.noise_power_w, "W", core::significant(4)}};
 }
 
-std::vector<Figure> figures_of(const simulate::Plan& plan, const simulate::SimulationFigures& s,
-                               const simulate::EchoSurvey& survey, bool counts) {
+core::Facts facts_of(const simulate::Plan& plan, const simulate::SimulationFigures& s,
+                     const simulate::EchoSurvey& survey) {
   const unsigned threads = core::thread_count(0);
-  const workflow::RecordingSize size = workflow::size_of(plan, threads, counts);
-  const auto microseconds = [](double v) { return core::with_prefix(v, "s"); };
-  const auto volts = [](double v) { return fmt::format("{:.4g} V", v); };
-  std::vector<Figure> f;
-  f.push_back(figure("pulses", "pulses", static_cast<double>(plan.acquisition.timing.pulses.count()),
-                     fmt::format("{} ({} to {})", plan.acquisition.timing.pulses.count(),
-                                 plan.acquisition.timing.pulses.first, plan.acquisition.timing.pulses.last)));
-  f.push_back(figure("rows", "rows", static_cast<double>(plan.acquisition.timing.rows)));
-  f.push_back(figure("samples of a row", "columns", static_cast<double>(plan.acquisition.reception.columns)));
-  f.push_back(figure("file size", "bytes", size.bytes, core::bytes_text(size.bytes)));
-  f.push_back(
-      figure("expected time", "seconds", size.seconds,
-             fmt::format("{} on {} thread{}", core::duration_text(size.seconds), threads, threads == 1 ? "" : "s")));
-  f.push_back(figure("expected memory", "memory_bytes", size.memory_bytes, core::bytes_text(size.memory_bytes)));
-  f.push_back(figure("window, delay", "first_delay_s", s.first_delay_s,
-                     microseconds(s.first_delay_s) + " to " + microseconds(s.last_delay_s)));
-  f.push_back({"", "", "last_delay_s", s.last_delay_s, {}});
-  f.push_back(si_figure("column spacing", "column_spacing_m", s.column_spacing_m, "m"));
-  f.push_back(figure("sampling/bandwidth", "sampling_ratio", s.sampling_ratio));
-  f.push_back(
-      figure("noise power per sample", "noise_power_w", s.noise_power_w, fmt::format("{:.4g} W", s.noise_power_w)));
-  f.push_back(figure("intra-pulse phase error", "pulse_motion_rad", s.pulse_motion_rad,
-                     fmt::format("{:.2g} rad", s.pulse_motion_rad)));
-  f.push_back(figure("Doppler band", "lowest_doppler_hz", survey.lowest_doppler_hz,
-                     between(survey.lowest_doppler_hz, survey.highest_doppler_hz, "Hz")));
-  f.push_back({"", "", "highest_doppler_hz", survey.highest_doppler_hz, {}});
-  f.push_back(figure("strongest echo", "largest_echo_v", s.largest_echo_v, volts(s.largest_echo_v)));
-  f.push_back(figure("magnitude bound", "largest_sum_v", s.largest_sum_v, volts(s.largest_sum_v)));
-  f.push_back(figure("LSB without clipping", "suggested_lsb_v", s.suggested_lsb_v,
-                     fmt::format("{:.4g} mV", 1e3 * s.suggested_lsb_v)));
-  return f;
+  const workflow::RecordingSize size = workflow::size_of(plan, threads, false);
+  const radar::PulseRange& pulses = plan.acquisition.timing.pulses;
+  return {core::worded("pulses", "pulses", static_cast<double>(pulses.count()),
+                       fmt::format("{} ({} to {})", pulses.count(), pulses.first, pulses.last)),
+          {"rows", "rows", static_cast<double>(plan.acquisition.timing.rows)},
+          {"columns", "samples of a row", static_cast<double>(plan.acquisition.reception.columns)},
+          core::worded("bytes", "file size", size.bytes, core::bytes_text(size.bytes)),
+          core::worded("seconds", "expected time", size.seconds,
+                       fmt::format("{} on {}", core::duration_text(size.seconds), counted(threads, "thread"))),
+          core::worded("memory_bytes", "expected memory", size.memory_bytes, core::bytes_text(size.memory_bytes)),
+          core::worded("first_delay_s", "window, delay", s.first_delay_s,
+                       core::with_prefix(s.first_delay_s, "s") + " to " + core::with_prefix(s.last_delay_s, "s")),
+          {"last_delay_s", "", s.last_delay_s},
+          {"column_spacing_m", "column spacing", s.column_spacing_m, "m"},
+          {"sampling_ratio", "sampling/bandwidth", s.sampling_ratio},
+          {"noise_power_w", "noise power per sample", s.noise_power_w, "W", core::significant(4)},
+          {"pulse_motion_rad", "intra-pulse phase error", s.pulse_motion_rad, "rad", core::significant(2)},
+          core::worded("lowest_doppler_hz", "Doppler band", survey.lowest_doppler_hz,
+                       between(survey.lowest_doppler_hz, survey.highest_doppler_hz, "Hz")),
+          {"highest_doppler_hz", "", survey.highest_doppler_hz},
+          {"largest_echo_v", "strongest echo", s.largest_echo_v, "V", core::significant(4)},
+          {"largest_sum_v", "magnitude bound", s.largest_sum_v, "V", core::significant(4)},
+          core::worded("suggested_lsb_v", "LSB without clipping", s.suggested_lsb_v,
+                       fmt::format("{:.4g} mV", 1e3 * s.suggested_lsb_v))};
 }
 
 // @param sight  nothing: the target was not looked at in that detail
@@ -167,13 +157,13 @@ class SceneInfo {
     json_.key("radars").begin_array();
     for (std::size_t i = 0; i < scene_.radars.size(); ++i) {
       const scene::Radar& radar = scene_.radars[i];
-      const auto figures = figures_of(
+      const core::Facts figures = facts_of(
           simulate::radar_figures(simulate::resolve_radar(scene_, resolved, i), radar.power_w, resolved.conventions),
           radar.pulse == scene::Radar::Pulse::user);
       json_.begin_object().member("name", radar.name).member("platform", radar.platform);
-      cli::write_json(json_, figures);
+      core::write_json(json_, figures);
       json_.end_object();
-      text_ += "\nradar " + radar.name + " on " + radar.platform + "\n" + shown(figures);
+      text_ += "\nradar " + radar.name + " on " + radar.platform + "\n" + core::text_of(figures);
     }
     json_.end_array();
   }
@@ -198,12 +188,6 @@ class SceneInfo {
     return names;
   }
 
-  // Figures without a label are for programs only.
-  static std::string shown(std::vector<Figure> figures) {
-    std::erase_if(figures, [](const Figure& f) { return f.label.empty(); });
-    return figures_text(figures);
-  }
-
   void add_named(const char* kind, const std::vector<std::string>& names) {
     std::string list;
     json_.key(kind).begin_array();
@@ -220,7 +204,7 @@ class SceneInfo {
     simulate::Acquisition looked_at = plan.acquisition;
     looked_at.scene = simulate::thinned(looked_at.scene, workflow::max_cloud_looks);
     const simulate::EchoSurvey survey = simulate::survey_echoes(looked_at, control_);
-    const auto figures = figures_of(plan, simulate::simulation_figures(plan.acquisition, survey), survey, false);
+    const core::Facts figures = facts_of(plan, simulate::simulation_figures(plan.acquisition, survey), survey);
     const scene::Simulation& simulation = plan.acquisition.simulation;
     json_.begin_object()
         .member("number", index + 1)
@@ -231,14 +215,14 @@ class SceneInfo {
     json_.member("bits", simulation.bits).member("lsb_v", simulation.lsb_v);
     json_.member("pulses_surveyed", survey.pulses_sampled).member("all_pulses_surveyed", survey.all_pulses);
     write_utc(json_, scene_.world, simulation.time_start_s, simulation.time_end_s);
-    cli::write_json(json_, figures);
+    core::write_json(json_, figures);
     text_ += fmt::format("\nsimulation {}: {}, {}, {}, {} bits, radar {}\n", index + 1, simulation.file,
                          workflow::format_word(simulation.format), workflow::processing_word(simulation.processing),
                          simulation.bits, plan.acquisition.link.name);
     if (scene::epoch_of(scene_.world).instant)
       text_ += fmt::format("  {:<24} {} to {}\n", "time", time_text(scene_.world, simulation.time_start_s),
                            time_text(scene_.world, simulation.time_end_s));
-    text_ += shown(figures);
+    text_ += core::text_of(figures);
     const auto summary = std::ranges::find(*echoes_, index, &simulate::EchoSummary::simulation);
     if (summary != echoes_->end()) {
       workflow::write_echoes(json_, *summary);

@@ -148,7 +148,7 @@ ExitStatus run_measure(const MeasureArguments& arguments, Streams& streams) {
   request.pictures = arguments.cuts;
   Watch watch(streams, false);
   const workflow::MeasureReport report = workflow::measure(request, watch.observer());
-  write_out(streams, arguments.json  ? workflow::json_of(arguments.image, report)
+  write_out(streams, arguments.json  ? core::json_of(workflow::facts_of(arguments.image, report))
                      : arguments.csv ? workflow::csv_of(report)
                                      : text_of_measure(arguments.image, report));
   flush_out(streams);

@@ -1,21 +1,13 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <memory>
-#include <ostream>
 #include <ranges>
 
 #include <fmt/format.h>
 
-#include "cli/command/commands.hpp"
-#include "cli/shell/options.hpp"
+#include "cli/command/product_command.hpp"
 #include "cli/shell/report.hpp"
-#include "cli/shell/request_options.hpp"
-#include "cli/shell/watch.hpp"
-#include "core/maths/decibels.hpp"
 #include "core/text/number_text.hpp"
-#include "workflow/stepped/profiles.hpp"
-#include "workflow/stepped/profiles_options.hpp"
-#include "workflow/stepped/stepped_report.hpp"
 
 namespace sarsim::cli {
 
@@ -65,47 +57,32 @@ std::string targets_text(const workflow::ProfilesReport& report) {
   std::string text = fmt::format("burst {} at {:.6g} s:\n{:>7} {:>12} {:>10} {:>12} {:>9} {:>12} {:>9} {:>8} {:>9}\n",
                                  row.burst + 1, row.time_s, "target", "range m", "speed m/s", "expected m", "bin",
                                  "found m", "error m", "width m", "error dB");
+  constexpr std::array<std::size_t, 9> widths{7, 12, 10, 12, 9, 12, 9, 8, 9};
   for (const workflow::HeldTarget& target : report.targets | std::views::take(most)) {
-    text += fmt::format("{:>6}{} {:>12.3f} {:>10.2f} {:>12.3f} {:>9.2f}", target.truth.target + 1,
-                        target.nearest_m < report.series.limits.resolution_m ? '*' : ' ', target.truth.range_m,
-                        target.truth.speed_mps, target.expected_m, target.expected_bin);
-    if (target.found)
-      text += fmt::format(" {:>12.3f} {:>9.3f} {:>8.3f} {:>9.2f}\n", target.found->range_m,
-                          target.found->range_m - target.expected_m, target.found->width_m,
-                          core::amplitude_db(target.found->amplitude / target.truth.amplitude));
-    else
-      text += target.outside ? "  outside the profile\n" : "  no peak\n";
+    core::Facts facts = workflow::facts_of(target);
+    const bool crowded = target.nearest_m < report.series.limits.resolution_m;
+    facts.front().text = fmt::format("{}{}", target.truth.target + 1, crowded ? '*' : ' ');
+    text += core::aligned_row(facts, widths);
   }
   if (report.targets.size() > most)
     text += fmt::format("and {}; --json lists them\n", counted(report.targets.size() - most, "more target"));
   return text + crowd_text(report);
 }
 
-ExitStatus run_profiles(const RequestArguments& arguments, Streams& streams) {
-  Watch watch(streams, arguments.quiet);
-  const workflow::ProfilesReport report =
-      workflow::profiles(workflow::profiles_request(arguments.input, arguments.given()), watch.observer());
-  watch.close();
-  if (!arguments.quiet) write_err(streams, summary_text(report));
-  if (arguments.json)
-    write_out(streams, workflow::json_of(report));
-  else if (!arguments.quiet)
-    write_out(streams, targets_text(report));
-  flush_out(streams);
-  return exit_done;
+ProductText text_of_profiles(const workflow::ProfilesReport& report, const workflow::ProfilesRequest& /*request*/) {
+  return {summary_text(report), targets_text(report)};
 }
 
 }  // namespace
 
 Action add_profiles(CLI::App& app) {
-  auto arguments = std::make_shared<RequestArguments>();
-  add_request_arguments(app, workflow::profiles_option_table().options(), *arguments);
-  add_examples(app,
-               {{"sarsim profiles stepped_aircraft.toml", "simulate: stepped_aircraft-profiles.img and .hdr"},
-                {"sarsim profiles stepped_aircraft.toml --velocity estimated --out a.csv", "sharpened, as a table"},
-                {"sarsim profiles sim1.h5 --group scans --window taylor:35:5", "a recording, a profile for each scan"},
-                {"sarsim profiles sim1.bin --script scene.toml --json", "a file without its script"}});
-  return [arguments](Streams& streams) { return run_profiles(*arguments, streams); };
+  return add_product(
+      app, workflow::profiles_product,
+      {{"sarsim profiles stepped_aircraft.toml", "simulate: stepped_aircraft-profiles.img and .hdr"},
+       {"sarsim profiles stepped_aircraft.toml --velocity estimated --out a.csv", "sharpened, as a table"},
+       {"sarsim profiles sim1.h5 --group scans --window taylor:35:5", "a recording, a profile for each scan"},
+       {"sarsim profiles sim1.bin --script scene.toml --json", "a file without its script"}},
+      text_of_profiles);
 }
 
 }  // namespace sarsim::cli

@@ -66,11 +66,16 @@ using Problems = std::vector<Problem>;
 /// and becomes one where one is wanted. What is not said stays empty.
 class ProblemBuilder {
  public:
+  /// @param message  what is wrong, a sentence without its end
   ProblemBuilder(Severity severity, std::string message) : ProblemBuilder(severity, {}, std::move(message)) {}
+  /// The same by a rule.
   ProblemBuilder(Severity severity, RuleId id, std::string message);
 
+  /// What was found.
   ProblemBuilder&& found(std::string text) &&;
+  /// What was expected instead.
   ProblemBuilder&& expected(std::string text) &&;
+  /// How to fix it.
   ProblemBuilder&& hint(std::string text) &&;
   /// Which object and field it concerns.
   ProblemBuilder&& at(std::string kind, std::size_t index, std::string field) &&;
@@ -81,17 +86,24 @@ class ProblemBuilder {
   /// How often the same cause was met.
   ProblemBuilder&& times(std::size_t count) &&;
 
+  /// The problem, complete.
   operator Problem() &&;  // NOLINT: a builder is a problem in the making
 
  private:
   Problem problem_;
 };
 
+/// Begins a problem of this severity.
 [[nodiscard]] ProblemBuilder error(std::string message);
+/// See `error`.
 [[nodiscard]] ProblemBuilder warning(std::string message);
+/// See `error`.
 [[nodiscard]] ProblemBuilder note(std::string message);
+/// Begins a problem that a rule finds.
 [[nodiscard]] ProblemBuilder error(RuleId id, std::string message);
+/// See `error`.
 [[nodiscard]] ProblemBuilder warning(RuleId id, std::string message);
+/// See `error`.
 [[nodiscard]] ProblemBuilder note(RuleId id, std::string message);
 
 /// Adds what was found elsewhere, behind everything in a list.

@@ -16,10 +16,10 @@ struct ProductKind {
   const char* title;    ///< To be translated, as `option_title`.
   const char* option;
   const char* option_title;
-  std::vector<const char*> values;             ///< Of that option, the usual one first.
-  std::vector<workflow::Option> (*options)();  ///< All that the request takes.
+  std::vector<const char*> values;                         ///< Of that option, the usual one first.
+  std::function<std::vector<workflow::Option>()> options;  ///< All that the request takes.
   /// The work of a request; throws core::InvalidRequest for words that mean nothing.
-  ProductJob::Work (*work)(const std::string& script, const workflow::GivenWords& words);
+  std::function<ProductJob::Work(const std::string& script, const workflow::GivenWords& words)> work;
 };
 
 /// The kinds of products, as a list shows them.

@@ -92,11 +92,9 @@ class RangeAmbiguityRules {
 
   void check_farther(const RangeAmbiguities& heard) {
     if (!(heard.farther > 0.0)) return;
-    add(core::warning(
-            "echoes.left-out",
-            fmt::format(
-                "range-ambiguous echoes of pulses sent more than {} pulses earlier or later are received but left out",
-                max_pulses_away))
+    add(core::warning("echoes.left-out", fmt::format("range-ambiguous echoes of pulses sent more than "
+                                                     "{} pulses earlier or later are received but left out",
+                                                     max_pulses_away))
             .found(fmt::format("up to {:.0f} dB relative to the strongest echo, antenna patterns not applied",
                                core::amplitude_db(heard.farther)))
             .hint("lower the PRF, or move the targets"));

@@ -2,17 +2,17 @@
 
 #include <string>
 
+#include "core/text/facts.hpp"
 #include "workflow/focus/focus.hpp"
 #include "workflow/focus/measure.hpp"
 
 namespace sarsim::workflow {
 
-/// What `focus` reports, as a JSON object.
-/// @param source  the input, as it was named
-[[nodiscard]] std::string json_of(const std::string& source, const FocusReport& report);
+/// What `focus` reports.
+[[nodiscard]] core::Facts facts_of(const FocusReport& report);
 
-/// What `measure` reports, as a JSON object.
+/// What `measure` reports.
 /// @param image  as it was named
-[[nodiscard]] std::string json_of(const std::string& image, const MeasureReport& report);
+[[nodiscard]] core::Facts facts_of(const std::string& image, const MeasureReport& report);
 
 }  // namespace sarsim::workflow

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/task/observer.hpp"
+#include "core/text/facts.hpp"
 #include "signal/measure/image_quality.hpp"
 #include "workflow/focus/sar_theory.hpp"
 #include "workflow/image/image_fields.hpp"
@@ -107,6 +108,9 @@ struct MeasureReport {
 
 /// The figures over all targets of a report; those of targets that were found are 0 where none was.
 [[nodiscard]] MeasureSummary summary_of(const MeasureReport& report);
+
+/// A target of a report: the columns of its table, those that a list of targets shows with labels.
+[[nodiscard]] core::Facts columns_of(const MeasuredTarget& target, const MeasureReport& report);
 
 /// A line of names, then one of numbers for each target, with commas: places and errors by axis in metres, figures and
 /// theory beside each other. What does not exist is empty. Of ground grids over the Earth latitude and longitude of

@@ -1,10 +1,7 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
-
-#include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
 #include "core/maths/decibels.hpp"
@@ -16,67 +13,50 @@ namespace sarsim::workflow {
 
 namespace {
 
+using core::Facts;
+using core::only;
+
 double ratio_db(double amplitude_v, double noise_v) {
   return noise_v > 0.0 ? core::amplitude_db(amplitude_v / noise_v) : std::numeric_limits<double>::infinity();
 }
 
-// Empty if it is not a number.
-void add_cell(std::string& line, double value) {
-  line += std::isfinite(value) ? fmt::format(",{:.10g}", value) : std::string(",");
+constexpr int table_digits = 10;
+
+// All digits of a number of such a table.
+core::FactValue exact(bool known, double value) {
+  return only(known && std::isfinite(value), core::format_number(value));
 }
 
-void add_figures(std::string& line, const std::optional<signal::ResponseFigures>& figures) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  for (const auto member :
-       {&signal::ResponseFigures::width, &signal::ResponseFigures::pslr_db, &signal::ResponseFigures::islr_db})
-    add_cell(line, figures ? (*figures).*member : none);
+// @param begin  of the keys: "theory_azimuth_"
+// @param end    of the labels: "az."; empty: for programs only
+Facts columns_of_figures(const std::string& begin, const std::string& end,
+                         const std::optional<signal::ResponseFigures>& figures) {
+  const bool known = figures.has_value();
+  const signal::ResponseFigures f = figures.value_or(signal::ResponseFigures{});
+  const auto label = [&end](const char* what) { return end.empty() ? std::string() : what + end; };
+  return {{begin + "width_m", label("Width "), only(known, f.width), "m", core::fixed(3)},
+          {begin + "pslr_db", label("PSLR "), only(known, f.pslr_db), "dB", core::fixed(2)},
+          {begin + "islr_db", label("ISLR "), only(known, f.islr_db), "dB", core::fixed(2)}};
 }
 
-constexpr std::array place_names{"theory_latitude_deg", "theory_longitude_deg", "theory_height_m",
-                                 "latitude_deg",        "longitude_deg",        "height_m"};
-
-// Exact, as far as there are any.
-void add_place(std::string& line, const std::optional<radar::Geodetic>& place) {
-  if (place)
-    line += fmt::format(",{},{},{}", core::format_number(core::deg_per_rad * place->latitude_rad),
-                        core::format_number(core::deg_per_rad * place->longitude_rad),
-                        core::format_number(place->height_m));
-  else
-    line += ",,,";
+Facts columns_of_place(const std::string& begin, const std::optional<radar::Geodetic>& place) {
+  const bool known = place.has_value();
+  const radar::Geodetic at = place.value_or(radar::Geodetic{});
+  return {{begin + "latitude_deg", "", exact(known, core::deg_per_rad * at.latitude_rad)},
+          {begin + "longitude_deg", "", exact(known, core::deg_per_rad * at.longitude_rad)},
+          {begin + "height_m", "", exact(known, at.height_m)}};
 }
 
-std::string csv_line(const MeasuredTarget& target, const MeasureReport& report) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const TargetTheory& theory = target.theory;
-  const signal::PointResponse* const peak = target.response();
-  const bool found = peak != nullptr;
-  const bool measured = target.expected() && !target.outside;
-  std::string line = fmt::format("{},{}", theory.target + 1, target.found ? 1 : 0);
-  const bool placed = target.expected() || target.outside;
-  add_cell(line, placed ? theory.place.azimuth_m : none);
-  add_cell(line, placed ? theory.place.range_m : none);
-  add_cell(line, found ? peak->place.azimuth_m - theory.place.azimuth_m : none);
-  add_cell(line, found ? peak->place.range_m - theory.place.range_m : none);
-  add_cell(line, theory.amplitude);
-  add_cell(line, found ? peak->amplitude : none);
-  add_cell(line, found ? target.amplitude_error_db() : none);
-  add_cell(line, target.expected() ? theory.phase_rad : none);
-  add_cell(line, found ? peak->phase_rad : none);
-  add_cell(line, found ? target.phase_error_rad() : none);
-  add_cell(line, measured ? target.noise_v : none);
-  add_cell(line, target.peak_v > 0.0 ? target.snr_db() : none);
-  add_cell(line, measured ? core::power_db(target.threshold) : none);
-  add_figures(line, found ? std::optional(peak->azimuth) : std::nullopt);
-  add_figures(line, theory.azimuth);
-  add_figures(line, found ? std::optional(peak->range) : std::nullopt);
-  add_figures(line, theory.range);
-  line += fmt::format(",{},", to_string(target.state));
-  if (measured) core::append_number(line, target.false_alarm_probability);
-  if (report.on_earth({})) {
-    add_place(line, target.expected() ? report.on_earth(theory.place) : std::nullopt);
-    add_place(line, found ? report.on_earth(peak->place) : std::nullopt);
-  }
-  return line + "\n";
+Facts columns_of(const TargetTheory& theory) {
+  const bool expected = theory.amplitude > 0.0;
+  Facts facts{{"target", "", theory.target + 1},
+              {"azimuth_m", "", exact(expected, theory.place.azimuth_m)},
+              {"range_m", "", exact(expected, theory.place.range_m)},
+              {"amplitude_v", "", exact(true, theory.amplitude)},
+              {"phase_rad", "", exact(expected, theory.phase_rad)}};
+  append(facts, columns_of_figures("azimuth_", "", theory.azimuth));
+  append(facts, columns_of_figures("range_", "", theory.range));
+  return facts;
 }
 
 }  // namespace
@@ -139,37 +119,53 @@ MeasureSummary summary_of(const MeasureReport& report) {
   return summary;
 }
 
+core::Facts columns_of(const MeasuredTarget& target, const MeasureReport& report) {
+  const TargetTheory& theory = target.theory;
+  const signal::PointResponse* const peak = target.response();
+  const bool found = peak != nullptr;
+  const signal::PointResponse at = found ? *peak : signal::PointResponse{};
+  const bool measured = target.expected() && !target.outside;
+  const bool placed = target.expected() || target.outside;
+  Facts facts{
+      {"target", "", theory.target + 1},
+      {"found", "", target.found.has_value()},
+      {"theory_azimuth_m", "", only(placed, theory.place.azimuth_m)},
+      {"theory_range_m", "", only(placed, theory.place.range_m)},
+      {"", "Azimuth", theory.place.azimuth_m, "m", core::fixed(3)},
+      {"", "Range", theory.place.range_m, "m", core::fixed(3)},
+      {"azimuth_error_m", "Offset az.", only(found, at.place.azimuth_m - theory.place.azimuth_m), "m",
+       core::with_sign(4)},
+      {"range_error_m", "Offset rg.", only(found, at.place.range_m - theory.place.range_m), "m", core::with_sign(4)},
+      {"theory_amplitude_v", "", theory.amplitude},
+      {"amplitude_v", "", only(found, at.amplitude)},
+      {"amplitude_error_db", "", found ? core::FactValue(target.amplitude_error_db()) : core::FactValue()},
+      {"theory_phase_rad", "", only(target.expected(), theory.phase_rad)},
+      {"phase_rad", "", only(found, at.phase_rad)},
+      {"phase_error_rad", "", found ? core::FactValue(target.phase_error_rad()) : core::FactValue()},
+      {"noise_v", "", only(measured, target.noise_v)},
+      {"snr_db", "SNR", only(target.peak_v > 0.0, target.snr_db()), "dB", core::fixed(1)},
+      {"threshold_db", "", only(measured, core::power_db(target.threshold))}};
+  append(facts, columns_of_figures("azimuth_", "az.", found ? std::optional(at.azimuth) : std::nullopt));
+  append(facts, columns_of_figures("theory_azimuth_", "", theory.azimuth));
+  append(facts, columns_of_figures("range_", "rg.", found ? std::optional(at.range) : std::nullopt));
+  append(facts, columns_of_figures("theory_range_", "", theory.range));
+  append(facts, {{"state", "", to_string(target.state)},
+                 {"false_alarm_probability", "", exact(measured, target.false_alarm_probability)}});
+  if (!report.on_earth({})) return facts;
+  append(facts, columns_of_place("theory_", target.expected() ? report.on_earth(theory.place) : std::nullopt));
+  append(facts, columns_of_place("", found ? report.on_earth(at.place) : std::nullopt));
+  return facts;
+}
+
 std::string csv_of(const std::vector<TargetTheory>& targets) {
-  std::string text =
-      "target,azimuth_m,range_m,amplitude_v,phase_rad,azimuth_width_m,azimuth_pslr_db,azimuth_islr_db,range_width_m,"
-      "range_pslr_db,range_islr_db\n";
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  for (const TargetTheory& theory : targets) {
-    const bool expected = theory.amplitude > 0.0;
-    std::string line = fmt::format("{}", theory.target + 1);
-    for (const double value : {expected ? theory.place.azimuth_m : none, expected ? theory.place.range_m : none,
-                               theory.amplitude, expected ? theory.phase_rad : none}) {
-      line += ',';
-      if (std::isfinite(value)) core::append_number(line, value);
-    }
-    add_figures(line, theory.azimuth);
-    add_figures(line, theory.range);
-    text += line + "\n";
-  }
+  std::string text = core::csv_names(columns_of(TargetTheory{}));
+  for (const TargetTheory& theory : targets) text += core::csv_line(columns_of(theory), table_digits);
   return text;
 }
 
 std::string csv_of(const MeasureReport& report) {
-  std::string text =
-      "target,found,theory_azimuth_m,theory_range_m,azimuth_error_m,range_error_m,theory_amplitude_v,amplitude_v,"
-      "amplitude_error_db,theory_phase_rad,phase_rad,phase_error_rad,noise_v,snr_db,threshold_db,azimuth_width_m,"
-      "azimuth_pslr_db,azimuth_islr_db,theory_azimuth_width_m,theory_azimuth_pslr_db,theory_azimuth_islr_db,"
-      "range_width_m,range_pslr_db,range_islr_db,theory_range_width_m,theory_range_pslr_db,theory_range_islr_db,"
-      "state,false_alarm_probability";
-  if (report.on_earth({}))
-    for (const char* name : place_names) text += fmt::format(",{}", name);
-  text += "\n";
-  for (const MeasuredTarget& target : report.targets) text += csv_line(target, report);
+  std::string text = core::csv_names(columns_of({}, report));
+  for (const MeasuredTarget& target : report.targets) text += core::csv_line(columns_of(target, report), table_digits);
   return text;
 }
 

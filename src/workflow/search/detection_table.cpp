@@ -1,53 +1,43 @@
 #include "workflow/search/detection_table.hpp"
 
-#include <cmath>
 #include <span>
 
 #include "core/maths/constants.hpp"
 #include "core/maths/decibels.hpp"
-#include "core/text/number_text.hpp"
 
 namespace sarsim::workflow {
-
-namespace {
-
-void add_field(std::string& line, std::optional<double> value) {
-  line += ',';
-  if (value && std::isfinite(*value)) core::append_number(line, *value);
-}
-
-}  // namespace
 
 double bearing_deg(double azimuth_rad) {
   const double azimuth = azimuth_rad * 180.0 / core::pi;
   return azimuth < 0.0 ? azimuth + 360.0 : azimuth;
 }
 
+core::Facts facts_of(const SearchDetection& d, std::optional<std::size_t> target, bool doppler,
+                     const std::optional<GroundPlace>& place) {
+  core::Facts facts{{"interval", "Interval", d.interval + 1, "", core::fixed(0)},
+                    {"time_s", "Time", d.time_s, "s", core::fixed(4)},
+                    {"azimuth_deg", "Azimuth", bearing_deg(d.azimuth_rad), "deg", core::fixed(2)},
+                    {"range_m", "Range", d.range_m, "m", core::fixed(2)},
+                    {"doppler_hz", "Doppler", core::only(doppler, d.doppler_hz), "Hz", core::fixed(1)},
+                    {"speed_mps", "Speed", core::only(doppler, d.speed_mps), "m/s", core::fixed(3)},
+                    {"magnitude_v", "Magnitude", d.magnitude_v, "V", core::scientific(3)},
+                    {"snr_db", "SNR", core::power_db(d.snr), "dB", core::fixed(1)},
+                    {"threshold_v", "Threshold", d.threshold_v, "V", core::scientific(3)},
+                    {"target", "Target", core::only(target.has_value(), target.value_or(0) + 1), "", core::fixed(0)}};
+  if (place)
+    append(facts, {{"x_m", "X", place->x_m, "m", core::fixed(1)}, {"y_m", "Y", place->y_m, "m", core::fixed(1)}});
+  return facts;
+}
+
 DetectionTable::DetectionTable(const std::filesystem::path& path, bool replace, bool doppler, bool places)
     : doppler_(doppler), places_(places) {
   if (!path.empty()) file_.emplace(path, replace);
-  pending_ = "interval,time_s,azimuth_deg,range_m,doppler_hz,speed_mps,magnitude_v,snr_db,threshold_v,target";
-  if (places_) pending_ += ",x_m,y_m";
-  pending_ += '\n';
+  pending_ =
+      core::csv_names(facts_of(SearchDetection{}, {}, doppler_, places_ ? std::optional(GroundPlace{}) : std::nullopt));
 }
 
 void DetectionTable::append(const SearchDetection& d, std::optional<std::size_t> target, const GroundPlace& place) {
-  std::string line = std::to_string(d.interval + 1);
-  add_field(line, d.time_s);
-  add_field(line, bearing_deg(d.azimuth_rad));
-  add_field(line, d.range_m);
-  add_field(line, doppler_ ? std::optional(d.doppler_hz) : std::nullopt);
-  add_field(line, doppler_ ? std::optional(d.speed_mps) : std::nullopt);
-  add_field(line, d.magnitude_v);
-  add_field(line, core::power_db(d.snr));
-  add_field(line, d.threshold_v);
-  line += ',';
-  if (target) line += std::to_string(*target + 1);
-  if (places_) {
-    add_field(line, place.x_m);
-    add_field(line, place.y_m);
-  }
-  pending_ += line + '\n';
+  pending_ += core::csv_line(facts_of(d, target, doppler_, places_ ? std::optional(place) : std::nullopt));
   constexpr std::size_t enough = std::size_t{1} << 16;
   if (file_ && pending_.size() >= enough) write_pending();
   ++count_;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/os/output_file.hpp"
+#include "core/text/facts.hpp"
 #include "workflow/search/search_intervals.hpp"
 
 namespace sarsim::workflow {
@@ -17,6 +18,13 @@ struct GroundPlace {
 
 /// An azimuth as people say it, 0 to 360 degrees.
 [[nodiscard]] double bearing_deg(double azimuth_rad);
+
+/// A detection, for the table of them.
+/// @param target   position in the script of the target that it is of
+/// @param doppler  intervals have Doppler frequencies
+/// @param place    on the ground, where detections have one
+[[nodiscard]] core::Facts facts_of(const SearchDetection& detection, std::optional<std::size_t> target, bool doppler,
+                                   const std::optional<GroundPlace>& place);
 
 /// The table of detections, written as they come (docs/theory/search-and-doppler.md): a line of names, then one for
 /// each. What does not apply is left empty: Doppler of single pulses, ratios without noise, targets that are none of

@@ -1,16 +1,15 @@
 #pragma once
 
-#include <string>
-
+#include "core/text/facts.hpp"
 #include "workflow/search/doppler.hpp"
 #include "workflow/search/search.hpp"
 
 namespace sarsim::workflow {
 
-/// What `doppler` reports, as a JSON object.
-[[nodiscard]] std::string json_of(const DopplerReport& report);
+/// What `doppler` reports.
+[[nodiscard]] core::Facts facts_of(const DopplerReport& report);
 
-/// What `search` reports, as a JSON object.
-[[nodiscard]] std::string json_of(const SearchReport& report);
+/// What `search` reports.
+[[nodiscard]] core::Facts facts_of(const SearchReport& report);
 
 }  // namespace sarsim::workflow

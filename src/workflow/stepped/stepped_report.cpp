@@ -1,145 +1,215 @@
 #include "workflow/stepped/stepped_report.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
+#include <fmt/format.h>
 
 #include "core/build/version.hpp"
+#include "core/maths/constants.hpp"
 #include "core/maths/decibels.hpp"
-#include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
-#include "core/text/problem_json.hpp"
 
 namespace sarsim::workflow {
 
 namespace {
 
-void write_image_member(core::JsonWriter& json, const WrittenIsarImage& written) {
-  const IsarImage& made = written.image;
-  json.begin_object().member("file", written.file.string());
-  json.member("first_burst", written.first_burst + 1).member("last_burst", written.first_burst + written.bursts);
-  json.member("from_s", made.from_s).member("to_s", made.to_s);
-  json.member("rows", made.image.azimuth.count).member("columns", made.image.range.count);
-  json.member("cross_range_first_m", made.image.azimuth.first_m);
-  json.member("cross_range_step_m", made.image.azimuth.step_m);
-  json.member("range_first_m", made.image.range.first_m).member("range_step_m", made.image.range.step_m);
-  json.member("centre_range_m", made.range_m).member("speed_mps", made.speed_mps).member("turn_rad", made.turn_rad);
-  json.member("range_resolution_m", made.range_resolution_m);
-  json.member("cross_range_resolution_m", made.cross_range_resolution_m);
-  json.member("unambiguous_cross_range_m", made.unambiguous_cross_range_m).key("targets").begin_array();
-  for (const HeldPoint& point : made.points) {
-    json.begin_object().member("target", point.target + 1);
-    json.member("cross_range_m", point.expected.azimuth_m).member("range_m", point.expected.range_m);
-    json.member("outside", point.outside).key("found");
-    if (point.found) {
-      json.begin_object();
-      json.member("cross_range_error_m", point.found->place.azimuth_m - point.expected.azimuth_m);
-      json.member("range_error_m", point.found->place.range_m - point.expected.range_m);
-      json.member("cross_range_width_m", point.found->azimuth.width).member("range_width_m", point.found->range.width);
-      json.member("amplitude_error_db", core::amplitude_db(point.found->amplitude / point.amplitude)).end_object();
-    } else {
-      json.null();
-    }
-    json.end_object();
-  }
-  json.end_array().end_object();
+using core::Facts;
+using core::fixed;
+using core::only;
+using core::significant;
+
+// What people read of a target that has no place or no peak.
+const char* missing(bool found, bool outside, const char* words_outside) {
+  return found ? "" : outside ? words_outside : "no peak";
 }
 
-void write_scan(core::JsonWriter& json, const ScanRecord& scan) {
-  json.begin_object().member("first_burst", scan.bursts.first + 1).member("last_burst", scan.bursts.last + 1);
-  json.member("from_s", scan.from_s).member("to_s", scan.to_s).member("speed_mps", scan.speed_mps);
+Facts facts_of(const signal::ProfilePeak& peak) {
+  return {{"range_m", "Range", peak.range_m, "m", fixed(3)},
+          {"amplitude_v", "Amplitude", peak.amplitude, "V"},
+          {"phase_rad", "Phase", peak.phase_rad, "rad", fixed(3)},
+          {"width_m", "Width", peak.width_m, "m", fixed(3)}};
+}
+
+template <class Item, class... More>
+core::FactRows rows_of(const std::vector<Item>& items, More... more) {
+  core::FactRows rows;
+  for (const Item& item : items) rows.push_back(facts_of(item, more...));
+  return rows;
+}
+
+const char* word_of_speed(SeriesOptions::Velocity velocity) {
+  using Velocity = SeriesOptions::Velocity;
+  switch (velocity) {
+    case Velocity::given: return "as given";
+    case Velocity::scene: return "of the scene's targets";
+    case Velocity::estimated: return "estimated";
+    case Velocity::none: break;
+  }
+  return "none";
+}
+
+Facts facts_of_scan(std::size_t number, const ScanRecord& scan) {
+  Facts facts{{"", "Scan", number},
+              {"first_burst", "First burst", scan.bursts.first + 1},
+              {"last_burst", "Last burst", scan.bursts.last + 1},
+              {"from_s", "From", scan.from_s, "s"},
+              {"to_s", "To", scan.to_s, "s"},
+              {"speed_mps", "Speed", scan.speed_mps, "m/s"}};
   if (scan.estimate)
-    json.member("uncertainty_mps", scan.estimate->uncertainty_mps)
-        .member("entropy", scan.estimate->entropy)
-        .member("entropy_at_rest", scan.estimate->entropy_at_rest);
-  json.end_object();
+    append(facts, {{"uncertainty_mps", "Uncertainty", scan.estimate->uncertainty_mps, "m/s"},
+                   {"entropy", "Entropy", scan.estimate->entropy, "", fixed(3)},
+                   {"entropy_at_rest", "Entropy at rest", scan.estimate->entropy_at_rest, "", fixed(3)}});
+  return facts;
 }
 
-void write_held_target(core::JsonWriter& json, const HeldTarget& target) {
-  json.begin_object().member("target", target.truth.target + 1).member("range_m", target.truth.range_m);
-  json.member("speed_mps", target.truth.speed_mps).member("amplitude_v", target.truth.amplitude);
-  json.member("expected_m", target.expected_m).member("expected_bin", target.expected_bin);
-  json.member("outside", target.outside);
-  json.member("smear_cells", target.smear_cells).key("nearest_target_m");
-  std::isfinite(target.nearest_m) ? json.value(target.nearest_m) : json.null();
-  json.key("found");
-  if (target.found) {
-    json.begin_object().member("range_m", target.found->range_m);
-    json.member("range_error_m", target.found->range_m - target.expected_m);
-    json.member("width_m", target.found->width_m).member("phase_rad", target.found->phase_rad);
-    json.member("amplitude_error_db", core::amplitude_db(target.found->amplitude / target.truth.amplitude));
-    json.end_object();
-  } else {
-    json.null();
-  }
-  json.end_object();
+// The profile that is held against the scene.
+Facts facts_of_burst(const ProfilesReport& report) {
+  if (report.held_row >= report.series.rows.size()) return {};
+  const ProfileRow& row = report.series.rows[report.held_row];
+  return {{"burst", "", row.burst + 1},
+          {"time_s", "", row.time_s},
+          {"targets", fmt::format("Targets in burst {}", row.burst + 1), rows_of(report.targets)},
+          {"peaks", fmt::format("Peaks of burst {}", row.burst + 1), rows_of(report.peaks)}};
 }
 
 }  // namespace
 
-std::string json_of(const IsarReport& report) {
-  core::JsonWriter json;
-  json.begin_object().member("sarsim", core::program_version).member("source", report.source);
-  json.member("algorithm", report.algorithm).key("files").begin_array();
-  for (const std::filesystem::path& path : report.files) json.value(path.string());
-  json.end_array().key("images").begin_array();
-  for (const WrittenIsarImage& image : report.images) write_image_member(json, image);
-  json.end_array().member("seconds", report.seconds).key("problems");
-  core::write_json(json, report.problems);
-  return json.end_object().text();
+Facts facts_of(const HeldPoint& point) {
+  const bool found = point.found.has_value();
+  const signal::PointResponse peak = point.found.value_or(signal::PointResponse{});
+  return {
+      {"target", "Target", point.target + 1},
+      {"cross_range_m", "Cross-range", point.expected.azimuth_m, "m", fixed(3)},
+      {"range_m", "Range", point.expected.range_m, "m", fixed(3)},
+      {"outside", "", point.outside},
+      {"found", "",
+       Facts{
+           {"cross_range_error_m", "Error in cross-range", only(found, peak.place.azimuth_m - point.expected.azimuth_m),
+            "m", fixed(3), missing(found, point.outside, "outside the image")},
+           {"range_error_m", "Error in range", only(found, peak.place.range_m - point.expected.range_m), "m", fixed(3)},
+           {"cross_range_width_m", "Width in cross-range", only(found, peak.azimuth.width), "m", fixed(3)},
+           {"range_width_m", "Width in range", only(found, peak.range.width), "m", fixed(3)},
+           {"amplitude_error_db", "Error", only(found, core::amplitude_db(peak.amplitude / point.amplitude)), "dB",
+            fixed(2)}}}};
 }
 
-std::string json_of(const ProfilesReport& report) {
+Facts facts_of(const WrittenIsarImage& written, bool alone) {
+  const IsarImage& made = written.image;
+  const std::size_t first = written.first_burst + 1;
+  const std::size_t last = written.first_burst + written.bursts;
+  return {{"file", "", written.file.string()},
+          {"", alone ? "Bursts" : "", fmt::format("{} to {}", first, last)},
+          {"first_burst", alone ? "" : "First burst", first},
+          {"last_burst", alone ? "" : "Last burst", last},
+          {"from_s", "", made.from_s},
+          {"to_s", "", made.to_s},
+          {"rows", alone ? "Rows, along cross-range" : "Rows", made.image.azimuth.count, alone ? "pixels" : ""},
+          {"columns", alone ? "Columns, along range" : "Columns", made.image.range.count, alone ? "pixels" : ""},
+          {"", "Time from", made.from_s, "s"},
+          {"", "Time to", made.to_s, "s"},
+          {"cross_range_first_m", "Cross-range from", made.image.azimuth.first_m, "m"},
+          {"cross_range_step_m", "Cross-range spacing", made.image.azimuth.step_m, "m"},
+          {"range_first_m", "Range from", made.image.range.first_m, "m"},
+          {"range_step_m", "Range spacing", made.image.range.step_m, "m"},
+          {"centre_range_m", "Range of the centre", made.range_m, "m"},
+          {"speed_mps", "Speed of the centre", made.speed_mps, "m/s"},
+          {"turn_rad", "", made.turn_rad},
+          {"", "Turned by", made.turn_rad * core::deg_per_rad, "deg", significant(6)},
+          {"range_resolution_m", "", made.range_resolution_m},
+          {"cross_range_resolution_m", "Resolution in cross-range", made.cross_range_resolution_m, "m"},
+          {"", "Resolution in range", made.range_resolution_m, "m"},
+          {"unambiguous_cross_range_m", "Unambiguous cross-range", made.unambiguous_cross_range_m, "m"},
+          {"targets", "", rows_of(made.points)}};
+}
+
+Facts facts_of(const IsarReport& report) {
+  const bool alone = report.images.size() == 1;
+  const std::string algorithm = report.algorithm.substr(report.algorithm.starts_with("isar-") ? 5 : 0);
+  Facts facts{{"sarsim", "", core::program_version},
+              {"source", "", report.source},
+              {"", "Simulation", report.simulation + 1},
+              core::worded("algorithm", "Algorithm", report.algorithm, algorithm),
+              {"", "Images", report.images.size()},
+              {"files", "", core::texts_of(report.files)},
+              {"images", "", rows_of(report.images, alone)},
+              core::worded("seconds", "Time taken", report.seconds, core::duration_text(report.seconds)),
+              {"problems", "", report.problems}};
+  return facts;
+}
+
+Facts facts_of(const HeldTarget& target) {
+  const bool found = target.found.has_value();
+  const signal::ProfilePeak peak = target.found.value_or(signal::ProfilePeak{});
+  return {{"target", "Target", target.truth.target + 1},
+          {"range_m", "Range", target.truth.range_m, "m", fixed(3)},
+          {"speed_mps", "Speed", target.truth.speed_mps, "m/s", fixed(2)},
+          {"amplitude_v", "", target.truth.amplitude},
+          {"expected_m", "Expected", target.expected_m, "m", fixed(3)},
+          {"expected_bin", "Bin", target.expected_bin, "", fixed(2)},
+          {"outside", "", target.outside},
+          {"smear_cells", "", target.smear_cells},
+          {"nearest_target_m", "", target.nearest_m},
+          {"found", "",
+           Facts{{"range_m", "Found", only(found, peak.range_m), "m", fixed(3),
+                  missing(found, target.outside, "outside the profile")},
+                 {"range_error_m", "Error", only(found, peak.range_m - target.expected_m), "m", fixed(3)},
+                 {"width_m", "Width", only(found, peak.width_m), "m", fixed(3)},
+                 {"phase_rad", "", only(found, peak.phase_rad)},
+                 {"amplitude_error_db", "Error",
+                  only(found, core::amplitude_db(peak.amplitude / target.truth.amplitude)), "dB", fixed(2)}}}};
+}
+
+Facts facts_of(const ProfilesReport& report) {
   const ProfileSeries& series = report.series;
-  const ProfileRow& row = series.rows[report.held_row];
-  core::JsonWriter json;
-  json.begin_object().member("sarsim", core::program_version).member("source", report.source);
-  json.key("files").begin_array();
-  for (const std::filesystem::path& path : report.files) json.value(path.string());
-  json.end_array().member("set", word_of(report.set));
   const signal::SteppedLimits& limits = series.limits;
-  json.member("bursts", series.rows.size()).member("columns", series.axis.count);
-  json.member("range_first_m", series.axis.first_m).member("range_step_m", series.axis.step_m);
-  json.member("carrier_hz", series.centre_hz).member("bandwidth_hz", series.band_hz);
-  json.member("resolution_m", limits.resolution_m).member("unambiguous_range_m", limits.unambiguous_range_m);
-  json.member("shift_m_per_mps", limits.shift_m_per_mps).member("smear_m_per_mps", limits.smear_m_per_mps);
-  json.member("tolerable_speed_mps", limits.tolerable_mps).member("ambiguous_speed_mps", limits.ambiguous_mps);
-  json.key("scans").begin_array();
-  for (const ScanRecord& scan : series.scans) write_scan(json, scan);
-  json.end_array().member("burst", row.burst + 1).member("time_s", row.time_s);
-  json.key("targets").begin_array();
-  for (const HeldTarget& target : report.targets) write_held_target(json, target);
-  json.end_array().key("peaks").begin_array();
-  for (const signal::ProfilePeak& peak : report.peaks) {
-    json.begin_object().member("range_m", peak.range_m).member("amplitude_v", peak.amplitude);
-    json.member("phase_rad", peak.phase_rad).member("width_m", peak.width_m).end_object();
-  }
-  json.end_array().member("seconds", report.seconds).key("problems");
-  core::write_json(json, report.problems);
-  return json.end_object().text();
+  core::FactRows scans;
+  for (const ScanRecord& scan : series.scans) scans.push_back(facts_of_scan(scans.size() + 1, scan));
+  Facts facts{{"sarsim", "", core::program_version},
+              {"source", "", report.source},
+              {"files", "", core::texts_of(report.files)},
+              {"", "Simulation", report.simulation + 1},
+              {"set", "A profile for", word_of(report.set)},
+              {"", "Bursts recorded", report.bursts},
+              {"bursts", "Bursts illuminated", series.rows.size()},
+              {"", "Scans", series.scans.size()},
+              {"", "Speed compensated", word_of_speed(report.velocity)},
+              {"columns", "Bins", series.axis.count},
+              {"range_first_m", "Range from", series.axis.first_m, "m"},
+              {"", "Range to", series.axis.at(static_cast<double>(series.axis.count) - 1.0), "m"},
+              {"range_step_m", "Bins apart", series.axis.step_m, "m"},
+              {"carrier_hz", "", series.centre_hz},
+              {"bandwidth_hz", "Band", series.band_hz, "Hz"},
+              {"", "Centre frequency", series.centre_hz, "Hz"},
+              {"resolution_m", "Resolution", limits.resolution_m, "m"},
+              {"unambiguous_range_m", "Steps repeat every", limits.unambiguous_range_m, "m"},
+              {"shift_m_per_mps", "Shift by each m/s", limits.shift_m_per_mps, "m"},
+              {"smear_m_per_mps", "Smear by each m/s", limits.smear_m_per_mps, "m"},
+              {"tolerable_speed_mps", "Speed that smears half a cell", limits.tolerable_mps, "m/s"},
+              {"ambiguous_speed_mps", "Ambiguous speed", limits.ambiguous_mps, "m/s"},
+              {"scans", "Scans", std::move(scans)}};
+  append(facts, facts_of_burst(report));
+  append(facts, {core::worded("seconds", "Time taken", report.seconds, core::duration_text(report.seconds)),
+                 {"problems", "", report.problems}});
+  return facts;
 }
 
 std::string csv_of(const std::vector<HeldTarget>& targets) {
-  std::string text =
-      "target,range_m,speed_mps,amplitude_v,expected_m,expected_bin,smear_cells,nearest_target_m,found_m,found_width_m,"
-      "found_phase_rad,found_amplitude_v\n";
-  for (const HeldTarget& target : targets) {
-    std::vector<std::optional<double>> values{target.truth.range_m, target.truth.speed_mps, target.truth.amplitude,
-                                              target.expected_m,    target.expected_bin,    target.smear_cells,
-                                              target.nearest_m};
-    values.resize(values.size() + 4);
-    if (target.found)
-      std::ranges::copy(
-          std::array{target.found->range_m, target.found->width_m, target.found->phase_rad, target.found->amplitude},
-          values.end() - 4);
-    text += std::to_string(target.truth.target + 1);
-    for (const std::optional<double>& value : values) {
-      text += ',';
-      if (value && std::isfinite(*value)) core::append_number(text, *value);
-    }
-    text += '\n';
-  }
+  const auto columns = [](const HeldTarget& target) -> Facts {
+    const bool found = target.found.has_value();
+    const signal::ProfilePeak peak = target.found.value_or(signal::ProfilePeak{});
+    return {{"target", "", target.truth.target + 1},
+            {"range_m", "", target.truth.range_m},
+            {"speed_mps", "", target.truth.speed_mps},
+            {"amplitude_v", "", target.truth.amplitude},
+            {"expected_m", "", target.expected_m},
+            {"expected_bin", "", target.expected_bin},
+            {"smear_cells", "", target.smear_cells},
+            {"nearest_target_m", "", target.nearest_m},
+            {"found_m", "", only(found, peak.range_m)},
+            {"found_width_m", "", only(found, peak.width_m)},
+            {"found_phase_rad", "", only(found, peak.phase_rad)},
+            {"found_amplitude_v", "", only(found, peak.amplitude)}};
+  };
+  std::string text = core::csv_names(columns({}));
+  for (const HeldTarget& target : targets) text += core::csv_line(columns(target));
   return text;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/build/version.hpp"
 #include "core/text/csv.hpp"
+#include "core/text/facts.hpp"
 #include "core/text/number_text.hpp"
 #include "core/text/problem_json.hpp"
 
