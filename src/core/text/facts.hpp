@@ -32,23 +32,23 @@ class FactValue {
 
   // NOLINTBEGIN(google-explicit-constructor): a fact is what it says
   FactValue() = default;
-  FactValue(bool truth) : held_(truth) {}
-  FactValue(double number) : held_(number) {}
+  /// A truth.
+  FactValue(bool truth);
+  /// A number.
+  FactValue(double number);
   /// A whole number.
   template <std::integral Count>
-  FactValue(Count count) : held_(static_cast<std::int64_t>(count)) {}
+  FactValue(Count count);
   /// A word.
-  FactValue(const char* word) : held_(std::string(word)) {}
+  FactValue(const char* word);
   /// A word.
-  FactValue(std::string word) : held_(std::move(word)) {}
-  FactValue(std::vector<std::string> words) : held_(std::move(words)) {}
-  FactValue(Problems problems) : held_(std::move(problems)) {}
+  FactValue(std::string word);
+  FactValue(std::vector<std::string> words);
+  FactValue(Problems problems);
   FactValue(Facts group);
   FactValue(FactRows rows);
   template <class Value>
-  FactValue(const std::optional<Value>& value) {
-    if (value) *this = FactValue(*value);
-  }
+  FactValue(const std::optional<Value>& value);
   // NOLINTEND(google-explicit-constructor)
 
   [[nodiscard]] const Held& held() const { return held_; }
@@ -56,12 +56,6 @@ class FactValue {
  private:
   Held held_;
 };
-
-/// A value where there is one; else nothing.
-template <class Value>
-[[nodiscard]] FactValue only(bool known, const Value& value) {
-  return known ? FactValue(value) : FactValue();
-}
 
 /// How people read a number.
 struct Digits {
@@ -88,6 +82,27 @@ struct Fact {
   Digits digits{};
   std::string text{};  ///< What people read in its place: "no peak".
 };
+
+// Here a fact is complete.
+inline FactValue::FactValue(bool truth) : held_(truth) {}
+inline FactValue::FactValue(double number) : held_(number) {}
+template <std::integral Count>
+FactValue::FactValue(Count count) : held_(static_cast<std::int64_t>(count)) {}
+inline FactValue::FactValue(const char* word) : held_(std::string(word)) {}
+inline FactValue::FactValue(std::string word) : held_(std::move(word)) {}
+inline FactValue::FactValue(std::vector<std::string> words) : held_(std::move(words)) {}
+inline FactValue::FactValue(Problems problems) : held_(std::move(problems)) {}
+
+template <class Value>
+FactValue::FactValue(const std::optional<Value>& value) {
+  if (value) *this = FactValue(*value);
+}
+
+/// A value where there is one; else nothing.
+template <class Value>
+[[nodiscard]] FactValue only(bool known, const Value& value) {
+  return known ? FactValue(value) : FactValue();
+}
 
 /// A fact that people read in these words.
 [[nodiscard]] inline Fact worded(std::string key, std::string label, FactValue value, std::string text) {

@@ -7,6 +7,7 @@
 
 #include "core/text/number_text.hpp"
 #include "scene/model/kinds.hpp"
+#include "scene/schema/field_table.hpp"
 
 namespace sarsim::scene::script {
 
