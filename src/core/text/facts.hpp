@@ -86,6 +86,7 @@ struct Fact {
 // Here a fact is complete.
 inline FactValue::FactValue(bool truth) : held_(truth) {}
 inline FactValue::FactValue(double number) : held_(number) {}
+/// See its declaration.
 template <std::integral Count>
 FactValue::FactValue(Count count) : held_(static_cast<std::int64_t>(count)) {}
 inline FactValue::FactValue(const char* word) : held_(std::string(word)) {}
@@ -93,6 +94,7 @@ inline FactValue::FactValue(std::string word) : held_(std::move(word)) {}
 inline FactValue::FactValue(std::vector<std::string> words) : held_(std::move(words)) {}
 inline FactValue::FactValue(Problems problems) : held_(std::move(problems)) {}
 
+/// See its declaration.
 template <class Value>
 FactValue::FactValue(const std::optional<Value>& value) {
   if (value) *this = FactValue(*value);

@@ -29,6 +29,11 @@ struct Product {
   Report (*make)(const Request& request, const core::Observer& observer);
 };
 
+/// What a product is made of tells its kinds.
+template <class Request, class Report>
+Product(const char*, OptionTable<Request> (*)(), Request (*)(const std::string&, const GivenWords&),
+        Report (*)(const Request&, const core::Observer&)) -> Product<Request, Report>;
+
 inline constexpr Product focus_product{"focus", focus_option_table, focus_request, focus};
 inline constexpr Product profiles_product{"profiles", profiles_option_table, profiles_request, profiles};
 inline constexpr Product isar_product{"isar", isar_option_table, isar_request, isar};
