@@ -5,6 +5,7 @@
 """
 
 import argparse
+import os
 import pathlib
 import signal
 import sys
@@ -32,6 +33,15 @@ def wait_for_file(process, folder):
     return False
 
 
+def send_at_once(process, *numbers):
+    """Signals that are all pending before the process goes on; sent one by one, the first may have ended it."""
+    process.send_signal(signal.SIGSTOP)
+    os.waitid(os.P_PID, process.pid, os.WSTOPPED | os.WEXITED | os.WNOWAIT)
+    for number in numbers:
+        process.send_signal(number)
+    process.send_signal(signal.SIGCONT)
+
+
 def try_format(word, folder, delay):
     """What is wrong with how the run ends."""
     for name, text in stories.scene(stories.moving(PULSES)).items():
@@ -42,8 +52,7 @@ def try_format(word, folder, delay):
         if not wait_for_file(process, folder):
             return "begins no file"
         time.sleep(delay)
-        process.send_signal(signal.SIGTERM)
-        process.send_signal(signal.SIGINT)  # Two of one kind may arrive as one.
+        send_at_once(process, signal.SIGTERM, signal.SIGINT)  # Two of one kind may arrive as one.
         process.wait(TIME_LIMIT_S)
     finally:
         end_process(process)

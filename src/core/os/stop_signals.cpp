@@ -44,7 +44,8 @@ extern "C" void on_alarm(int) {
 
 extern "C" void on_signal(int number) {
   const int error = errno;
-  if (signal_number.load(std::memory_order_relaxed) != 0) {
+  int none = 0;  // A second signal may arrive in this handler, or in another thread.
+  if (!signal_number.compare_exchange_strong(none, number, std::memory_order_relaxed)) {
     // A terminal that closes says so more than once: itself, and through its shell.
     if (number == SIGHUP) return;
     remove_temporary_files();
@@ -52,7 +53,6 @@ extern "C" void on_signal(int number) {
     std::raise(number);
     return;
   }
-  signal_number.store(number, std::memory_order_relaxed);
   on.request();
   if (may_end_alone.load(std::memory_order_relaxed)) wait_for_the_end(to_notice);
   errno = error;
