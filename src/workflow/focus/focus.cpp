@@ -310,10 +310,10 @@ core::Problems diagnose_focus(FocusInput input, const core::WorkControl& control
   const simulate::Acquisition& acquisition = *work.input.acquisition;
   const signal::EchoRows& echoes = work.input.echoes;
   if (work.options.spectrum) core::append(problems, diagnose_carriers(echoes, *work.options.spectrum));
-  core::append(problems, diagnose_movers(acquisition, echoes, std::nullopt, control));
-  if (moves(echoes) && !around_scene(request, echoes))
-    core::append(problems, diagnose_outside(work.to_show, slant_axes(work, request, work.to_show, work.options),
-                                            work.options, in_time(request)));
+  std::optional<signal::FocusedImage> axes;
+  if (moves(echoes) && !around_scene(request, echoes)) axes = slant_axes(work, request, work.to_show, work.options);
+  core::append(problems, diagnose_movers(acquisition, echoes, axes, control));
+  if (axes) core::append(problems, diagnose_outside(work.to_show, *axes, work.options, in_time(request)));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
   core::append(problems,
                diagnose_ghosts(acquisition, echoes, kept, ambiguities_in(request, work.input.echoes), control));

@@ -55,6 +55,8 @@ TEST_F(FocusOfMovers, NamesThemAndWhereTheirImagesAre) {
   EXPECT_THAT(said, HasSubstr("displaced by up to 153 m along the track"));
   EXPECT_THAT(said, HasSubstr("the images of moving targets (2) are displaced to azimuths from -153 to -153 m"));
   EXPECT_THAT(said, HasSubstr("--azimuth -163:"));
+  const std::string early = texts_of(diagnose_focus(open_focus_input(request({}).input, {})));  // What check says.
+  EXPECT_THAT(early, HasSubstr("the images of moving targets (2) are displaced to azimuths from -153 to -153 m"));
   MeasureRequest measured;
   measured.image = folder_ / "cars.img";
   EXPECT_THAT(texts_of(measure(measured, {}).problems), HasSubstr("1 of 2 targets (2) move or turn"));
